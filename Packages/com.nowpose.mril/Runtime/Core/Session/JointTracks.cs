@@ -19,7 +19,6 @@ namespace Nowpose.Session
         readonly double[] _held;
         readonly PredictionKind[] _kinds;
         readonly bool[] _isShown;
-        // Whether a mimic joint has the positions of its own samples.
         readonly bool[] _given;
         readonly (int Joint, int Master)[] _mimics;
         readonly LimitWatch _limits;
@@ -58,6 +57,9 @@ namespace Nowpose.Session
 
         /// <summary>Newest samples at the last <see cref="Predict"/>: the positions that a display without compensation would show.</summary>
         public ReadOnlySpan<double> Held => _held;
+
+        /// <summary>Whether each joint has the position of its own samples at the last <see cref="Predict"/>; only set for mimic joints.</summary>
+        public ReadOnlySpan<bool> Given => _given;
 
         /// <summary>
         /// Method by which each position was computed. A joint without samples since a reset counts as held if it was shown before; a mimic joint

@@ -96,7 +96,7 @@ namespace Nowpose.Session
         /// <summary>Records the frame if it is displayed; later samples give its error. Call it after <see cref="PlaceRoot"/>.</summary>
         public void Record(in DisplayMoment moment)
         {
-            if (moment.IsLast) Hindcast.Shown(Frame, moment.Clock.ErrorBound, HasRootFrame && !HasFixedRootFrame);
+            if (moment.IsLast) Hindcast.Shown(Frame, _tracks.Given, moment.Clock.ErrorBound, HasRootFrame && !HasFixedRootFrame);
         }
 
         /// <summary>Places the root link in the cell. Call it after <see cref="Show"/>.</summary>

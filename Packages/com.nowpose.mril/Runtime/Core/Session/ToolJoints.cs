@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Nowpose.Kinematics;
 
@@ -27,15 +28,20 @@ namespace Nowpose.Session
             return UpTo(robot.Links[link], robot);
         }
 
-        static int[] UpTo(RobotLink end, RobotModel robot)
+        /// <summary>Returns the indices of the mimic joints between base and tool among the moving joints, starting at the base.</summary>
+        public static int[] MimicsOf(RobotModel robot) => UpTo(robot.ToolLink, robot, joint => joint.Mimic == null ? null : joint);
+
+        static int[] UpTo(RobotLink end, RobotModel robot) => UpTo(end, robot, robot.MasterOf);
+
+        // select: returns the joint to list for a joint on the way; null for none.
+        static int[] UpTo(RobotLink end, RobotModel robot, Func<RobotJoint, RobotJoint> select)
         {
             var joints = new List<int>();
             for (var link = end; link.ParentIndex >= 0; link = robot.Links[link.ParentIndex])
             {
-                var joint = link.ParentJoint;
-                if (joint.MovingIndex < 0) continue;
-                joint = robot.MasterOf(joint);
-                if (!joints.Contains(joint.MovingIndex)) joints.Add(joint.MovingIndex);
+                if (link.ParentJoint.MovingIndex < 0) continue;
+                var joint = select(link.ParentJoint);
+                if (joint != null && !joints.Contains(joint.MovingIndex)) joints.Add(joint.MovingIndex);
             }
             joints.Reverse();
             return joints.ToArray();

@@ -14,7 +14,7 @@ namespace Nowpose.Session.Hindcast
         readonly double[] _positions;
         readonly RigidTransform[] _linkPoses;
 
-        /// <param name="joints">Indices of the joints with true positions.</param>
+        /// <param name="joints">Indices of the joints with true positions, and of mimic joints, which have true positions if they are given.</param>
         public HindcastKinematics(RobotModel robot, int[] joints)
         {
             _robot = robot;
@@ -26,6 +26,9 @@ namespace Nowpose.Session.Hindcast
             _positions = new double[robot.MovingJoints.Count];
             _linkPoses = new RigidTransform[robot.Links.Count];
         }
+
+        /// <summary>Sets whether a mimic joint has a true position of its own. Otherwise, its position follows from that of its master.</summary>
+        public void SetGiven(int joint, bool isGiven) => _given[joint] = isGiven;
 
         /// <param name="positions">Positions of all moving joints.</param>
         public RigidTransform ToolOf(ReadOnlySpan<double> positions)

@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using Nowpose.Kinematics;
 using Nowpose.Prediction;
 using Nowpose.Protocol;
@@ -12,15 +13,19 @@ namespace Nowpose.Session.Hindcast
     /// <remarks>
     /// The true pose at a display time is the forward kinematics of the joints on the curves through their surrounding samples. It is
     /// computed when the second sample after the display time has arrived. It does not include errors common to all samples, such as errors
-    /// of the clock or of L_visu. Allocates nothing after construction; single-threaded.
+    /// of the clock or of L_visu. A mimic joint with its own samples has a true position of its own. Allocates nothing after construction;
+    /// single-threaded.
     /// </remarks>
     sealed class HindcastMonitor
     {
         readonly RobotModel _robot;
         readonly HindcastKinematics _kinematics;
         readonly TimeSpan _maximumGap;
+        // The joints between base and tool with their own samples, then the mimic joints, which may have their own samples.
         readonly int[] _joints;
         readonly int[] _placeOfJoint;
+        // Whether the true position of each joint is needed. False for a mimic joint while it follows its master.
+        readonly bool[] _isNeeded;
         readonly bool[] _isEndless;
         readonly TruthTrack[] _tracks;
         readonly ShownFrames _frames;
@@ -38,7 +43,11 @@ namespace Nowpose.Session.Hindcast
         {
             _robot = robot;
             _maximumGap = settings.MaximumGap;
-            _joints = ToolJoints.Of(robot);
+            var independent = ToolJoints.Of(robot);
+            JointCount = independent.Length;
+            _joints = independent.Concat(ToolJoints.MimicsOf(robot)).ToArray();
+            _isNeeded = new bool[_joints.Length];
+            Array.Fill(_isNeeded, true, 0, JointCount);
             _kinematics = new HindcastKinematics(robot, _joints);
             _placeOfJoint = new int[robot.MovingJoints.Count];
             for (var i = 0; i < _placeOfJoint.Length; i++) _placeOfJoint[i] = Array.IndexOf(_joints, i);
@@ -56,8 +65,8 @@ namespace Nowpose.Session.Hindcast
         /// <summary>Raised within <see cref="Add"/> for each scored frame, with its display time, its state, and its tool error in m.</summary>
         public event Action<ControlTime, PoseState, ErrorSums> ToolJudged;
 
-        /// <summary>Number of joints between base and tool that have their own samples.</summary>
-        public int JointCount => _joints.Length;
+        /// <summary>Number of joints between base and tool, without mimic joints.</summary>
+        public int JointCount { get; }
 
         /// <summary>Errors of the tool over the last ten seconds, m; null while unknown, and while <see cref="Withheld"/> has a reason.</summary>
         public DisplayedError? Tool => IsKnown && IsToolKnown ? _tool.Now(_now.Value) : null;
@@ -82,9 +91,10 @@ namespace Nowpose.Session.Hindcast
             _robot.MovingJoints[_joints[index]].Name, IsKnown ? _ofJoint[index].Now(_now.Value) : null);
 
         /// <summary>Adds a displayed frame. A frame without a trusted display time cannot be scored and makes the current errors unknown.</summary>
+        /// <param name="given">For each moving joint of the robot that is a mimic joint: whether it has the position of its own samples.</param>
         /// <param name="clockError">Error bound of the clock.</param>
         /// <param name="isBaseMoving">Whether the robot's base can move, so that the error of the tool in the base does not include that of the base.</param>
-        public void Shown(DisplayFrame frame, TimeSpan clockError, bool isBaseMoving)
+        public void Shown(DisplayFrame frame, ReadOnlySpan<bool> given, TimeSpan clockError, bool isBaseMoving)
         {
             _now = frame.IsTimeTrusted ? frame.DisplayTime : null;
             Withheld = isBaseMoving && frame.ErrorWithheld == ErrorWithheldReason.None ? ErrorWithheldReason.MovingBase : frame.ErrorWithheld;
@@ -93,15 +103,33 @@ namespace Nowpose.Session.Hindcast
             _hasRunBegun |= Withheld != ErrorWithheldReason.OtherSource && Withheld != ErrorWithheldReason.NoRenderTime;
             if (_hasRunBegun && _withheldOfRun == ErrorWithheldReason.None) _withheldOfRun = Withheld;
             if (!IsKnown) return;
-            foreach (ref readonly var track in _tracks.AsSpan())
-                if (!(track.CompleteUntil < _now.Value)) return;
+            var needed = FollowMimics(given);
+            for (var i = 0; i < _tracks.Length; i++)
+                if (_isNeeded[i] && !(_tracks[i].CompleteUntil < _now.Value)) return;
             var values = _frames.Add(
-                _now.Value, frame.State, IsToolKnown, frame.ToolPose, _kinematics.ToolOf(frame.HeldJoints), ClockTicks.Seconds(clockError));
+                _now.Value, frame.State, IsToolKnown, frame.ToolPose, _kinematics.ToolOf(frame.HeldJoints), ClockTicks.Seconds(clockError), needed);
             for (var i = 0; i < _joints.Length; i++)
             {
                 values[i].Displayed = frame.Joints[_joints[i]];
                 values[i].Held = frame.HeldJoints[_joints[i]];
             }
+        }
+
+        // Returns the number of joints whose true positions are needed.
+        int FollowMimics(ReadOnlySpan<bool> given)
+        {
+            var needed = JointCount;
+            for (var i = JointCount; i < _joints.Length; i++)
+            {
+                var isGiven = given[_joints[i]];
+                if (isGiven) needed++;
+                if (_isNeeded[i] == isGiven) continue;
+                _isNeeded[i] = isGiven;
+                _kinematics.SetGiven(_joints[i], isGiven);
+                // All waiting frames need the true positions of the same joints.
+                _frames.Clear();
+            }
+            return needed;
         }
 
         /// <summary>Adds received samples, which determine the true positions of earlier frames.</summary>
@@ -117,7 +145,7 @@ namespace Nowpose.Session.Hindcast
                 if (place < 0 || !(Math.Abs(message.Positions[i]) < JointSample.MaxMagnitude)) continue;
                 ref var track = ref _tracks[place];
                 var position = _isEndless[place] ? track.Unwrapped(message.Positions[i]) : message.Positions[i];
-                if (track.Add(new TruthSample(message.Stamp, position), _maximumGap, out var span, out var isKnown))
+                if (track.Add(new TruthSample(message.Stamp, position), _maximumGap, out var span, out var isKnown) && _isNeeded[place])
                     _frames.SetTruth(place, span, isKnown);
             }
             while (_frames.TryTakeFirst(out var frame, _values)) Judge(frame);
@@ -159,6 +187,7 @@ namespace Nowpose.Session.Hindcast
             _speeds.Next(frame.At);
             for (var i = 0; i < _joints.Length; i++)
             {
+                if (!_isNeeded[i]) continue;
                 ref var joint = ref _values[i];
                 var speed = _speeds.OfJoint(i, joint.Truth);
                 // The displayed angle of a continuous joint is in the turn of the newest sample that the display had.

@@ -14,7 +14,7 @@ namespace Nowpose.Session.Hindcast
         readonly JointValues[] _joints;
         int _first, _count;
 
-        /// <param name="jointCount">Number of joints whose true positions are needed for each frame.</param>
+        /// <param name="jointCount">Maximum number of joints whose true positions are needed for each frame.</param>
         public ShownFrames(int jointCount)
         {
             _jointCount = jointCount;
@@ -26,15 +26,16 @@ namespace Nowpose.Session.Hindcast
         /// <param name="displayed">Displayed tool pose.</param>
         /// <param name="held">Tool pose from the newest samples without compensation.</param>
         /// <param name="clockError">Error bound of the clock, s.</param>
+        /// <param name="needed">Number of joints whose true positions are needed.</param>
         /// <returns>Buffer for the displayed and uncompensated positions of the joints.</returns>
         public Span<JointValues> Add(
-            ControlTime at, PoseState state, bool isToolKnown, in RigidTransform displayed, in RigidTransform held, double clockError)
+            ControlTime at, PoseState state, bool isToolKnown, in RigidTransform displayed, in RigidTransform held, double clockError, int needed)
         {
             if (_count == Capacity) RemoveFirst();
             var index = (_first + _count++) % Capacity;
             _frames[index] = new Frame
             {
-                At = at, State = state, IsToolKnown = isToolKnown, Missing = _jointCount, ClockError = clockError,
+                At = at, State = state, IsToolKnown = isToolKnown, Missing = needed, ClockError = clockError,
                 X = displayed.X, Y = displayed.Y, Z = displayed.Z, HeldX = held.X, HeldY = held.Y, HeldZ = held.Z,
             };
             return _joints.AsSpan(index * _jointCount, _jointCount);
@@ -56,7 +57,7 @@ namespace Nowpose.Session.Hindcast
             }
         }
 
-        /// <summary>Removes and returns the oldest frame whose motion is known, if the true positions of all its joints are set.</summary>
+        /// <summary>Removes and returns the oldest frame whose motion is known, if the true positions of all its needed joints are set.</summary>
         /// <param name="joints">Receives the values of the joints; its length is the number of joints.</param>
         public bool TryTakeFirst(out Frame frame, Span<JointValues> joints)
         {

@@ -28,10 +28,12 @@ namespace Nowpose.Tests.Core.Session
             return poses[Tool];
         }
 
-        static RigidTransform TrueTool(double seconds)
+        // doesElbowFollow: whether the elbow has the position that follows from that of the shoulder, see TestRobot.WithMimicElbow.
+        static RigidTransform TrueTool(double seconds, bool doesElbowFollow = false)
         {
             var joints = new double[TestRobot.Model.MovingJoints.Count];
             var (shoulder, elbow) = SimulatedSession.TruthAt(seconds);
+            if (doesElbowFollow) elbow = 0.5 * shoulder;
             joints[TestRobot.Model.IndexOfMovingJoint("shoulder")] = shoulder;
             joints[TestRobot.Model.IndexOfMovingJoint("elbow")] = elbow;
             return ToolOf(joints);
@@ -45,13 +47,13 @@ namespace Nowpose.Tests.Core.Session
 
         // Returns the RMS errors of the displayed and of the uncompensated tool against the simulated truth. Counts only frames that the hindcast can
         // score: up to the newest sample, and from the start of the ninth whole second before the newest frame.
-        static (double Mm, double HoldMm) TrueErrors(SimulatedSession simulated, double seconds)
+        static (double Mm, double HoldMm) TrueErrors(SimulatedSession simulated, double seconds, bool doesElbowFollow = false)
         {
             var squares = new List<(ControlTime At, double Displayed, double Held)>();
             var (first, last) = (default(ControlTime), default(ControlTime));
             simulated.Run(seconds, (frame, light) =>
             {
-                var truth = TrueTool(light);
+                var truth = TrueTool(light, doesElbowFollow);
                 squares.Add((frame.DisplayTime.Value, SquareMm(frame.ToolPose, truth), SquareMm(ToolOf(frame.HeldJoints), truth)));
                 // The hindcast can score a frame only after the sample that ends the sampling interval of this frame.
                 last = frame.DisplayTime.Value - frame.Horizon.Value - TimeSpan.FromMilliseconds(50);
@@ -107,10 +109,37 @@ namespace Nowpose.Tests.Core.Session
         {
             var simulated = new SimulatedSession(NetworkProfile.Named(network), Seed, predictor) { IsEachJointApart = apart };
             simulated.Run(8);
-            var truth = TrueErrors(simulated, 20);
 
+            AssertEstimates(simulated, TrueErrors(simulated, 20));
+        }
+
+        [Test]
+        public void Statistics_MimicJointWithOwnSamples_EstimateTheTrueError([Values] bool apart)
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed, robot: TestRobot.WithMimicElbow) { IsEachJointApart = apart };
+            simulated.Run(8);
+
+            AssertEstimates(simulated, TrueErrors(simulated, 20));
+        }
+
+        [Test]
+        public void Statistics_OwnSamplesOfAMimicJointEndAndReturn_EstimateTheTrueError()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed, robot: TestRobot.WithMimicElbow);
+            simulated.Run(8);
+
+            simulated.SilentJoint = "elbow";
+            simulated.Run(4);
+            AssertEstimates(simulated, TrueErrors(simulated, 20, doesElbowFollow: true));
+
+            simulated.SilentJoint = null;
+            simulated.Run(4);
+            AssertEstimates(simulated, TrueErrors(simulated, 20));
+        }
+
+        static void AssertEstimates(SimulatedSession simulated, (double Mm, double HoldMm) truth)
+        {
             var statistics = Statistics(simulated);
-
             var message = $"{truth.Mm:0.00} of {truth.HoldMm:0.00} mm, seed {Seed}";
             Assert.That(truth.HoldMm, Is.GreaterThan(50), "the uncompensated error is large");
             Assert.That(statistics.HoldErrorMm.Value, Is.EqualTo(truth.HoldMm).Within(1).Percent, message);

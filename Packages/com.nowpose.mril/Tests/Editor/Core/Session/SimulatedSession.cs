@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Nowpose.Kinematics;
 using Nowpose.Latency;
 using Nowpose.Network;
 using Nowpose.Protocol;
@@ -31,7 +32,7 @@ namespace Nowpose.Tests.Core.Session
 
         public SimulatedSession(
             NetworkProfile network, int seed, string predictor = "quadratic", ConstantLatencyRange range = null,
-            OutsideRangeResponse outsideRange = OutsideRangeResponse.Fade)
+            OutsideRangeResponse outsideRange = OutsideRangeResponse.Fade, RobotModel robot = null)
         {
             Link = new SimulatedLink(network, seed, skewPpm: 45, skewVariationPpm: 2);
             _sampleDelay = network.Down(seed + 1000);
@@ -40,7 +41,7 @@ namespace Nowpose.Tests.Core.Session
                 new SessionSettings(
                     new ConnectionSettings("127.0.0.1"), new VisualisationLatency(Visualisation), new PredictionSettings(predictor), range: range,
                     outsideRange: outsideRange),
-                TestRobot.Model, new NoClock());
+                robot ?? TestRobot.Model, new NoClock());
         }
 
         public CompensationSession Session { get; }
