@@ -65,14 +65,14 @@ static class PairVerb
             using var response = await http.PostAsync(uri, body, stop);
             var text = await response.Content.ReadAsStringAsync(stop);
             if (!response.IsSuccessStatusCode)
-                throw new InputException(VerbMessages.PairingRefused(uri, (int)response.StatusCode, text.Trim()));
+                throw new IOException(VerbMessages.PairingRefused(uri, (int)response.StatusCode, text.Trim()));
             using var json = JsonDocument.Parse(text);
             return (TokenCode.Parse(json.RootElement.GetProperty("text").GetString()), json.RootElement.GetProperty("left_s").GetDouble());
         }
         catch (Exception e) when (e is HttpRequestException or JsonException or KeyNotFoundException or InvalidOperationException
             || (e is TaskCanceledException && !stop.IsCancellationRequested))
         {
-            throw new InputException(VerbMessages.NoGateway(uri, refusal ?? (e.InnerException ?? e).Message), e);
+            throw new IOException(VerbMessages.NoGateway(uri, refusal ?? (e.InnerException ?? e).Message), e);
         }
     }
 }

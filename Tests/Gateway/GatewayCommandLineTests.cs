@@ -58,6 +58,15 @@ public class GatewayCommandLineTests
         Assert.That(errors[0], Does.StartWith("nowpose-gateway: ").And.Contain(part));
     }
 
+    [Test]
+    public async Task Pair_NoGateway_PrintsOneLineAndExitsWith1()
+    {
+        var (status, errors) = await RunAsync("pair", "--ws-port", "1");
+
+        Assert.That(status, Is.EqualTo(1));
+        Assert.That(errors.Single(), Does.StartWith("nowpose-gateway: http://127.0.0.1:1/"));
+    }
+
     [TestCase("--sync-port {0} --ws-port 0", "--sync-port")]
     [TestCase("--sync-port 0 --ws-port {1}", "--ws-port")]
     [TestCase("--sync-port 0 --ws-port 0 --bind 192.0.2.7 --insecure-lan", "--bind 192.0.2.7: not an address of this machine")]
