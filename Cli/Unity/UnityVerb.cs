@@ -18,9 +18,8 @@ static class UnityVerb
             "--package", "Source of the package: a Git URL, file:PATH, a folder or a .tgz file. Default: the source in the project's manifest or, if it "
                 + "has none, the folder of this clone or published program.",
             "ADDRESS");
-        var onConflict = TextOption.Create(
-            "--on-conflict", "Treatment of older or different entries: refuse (change nothing), keep, or replace", "refuse|keep|replace", "refuse");
-        onConflict.AcceptOnlyFromAmong("refuse", "keep", "replace");
+        var onConflict = ChoiceOption.Create(
+            "--on-conflict", "Treatment of older or different entries; refuse changes nothing", "refuse", ["refuse", "keep", "replace"]);
         var check = SwitchOption.Create("--check", "List the changes without making them. The exit status is 1 if there are any.");
         var json = SwitchOption.Create("--json", "Print JSON instead of text");
         var verb = new Command("unity", "Prepare a Unity project: registries, dependencies, testables and the package in its Packages/manifest.json.")

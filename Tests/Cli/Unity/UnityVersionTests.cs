@@ -1,5 +1,6 @@
 using Nowpose.Cli.Messages;
 using Nowpose.Editor.Messages;
+using Nowpose.Gateway.Messages;
 using NUnit.Framework;
 using static Nowpose.Headless.Tests.Cli.Unity.UnityManifests;
 
@@ -80,7 +81,8 @@ public class UnityVersionTests
         AssertRefused(await CliRun.OfAsync("unity", project.At("nowhere")), UnityProjectMessages.NoFolder(project.At("nowhere")));
         AssertRefused(await CliRun.OfAsync("unity", ""), UnityProjectMessages.NoPath);
         AssertRefused(await CliRun.OfAsync("unity"), "argument");
-        AssertRefused(await project.RunAsync("--on-conflict", "maybe"), "maybe");
+        AssertRefused(
+            await project.RunAsync("--on-conflict", "maybe"), OptionMessages.UnknownChoice("--on-conflict", "maybe", "refuse, keep, replace"));
     }
 
     [TestCase("m_EditorVersion: soon")]
