@@ -198,7 +198,7 @@ sealed class RosbridgeSession : IDisposable
             _publisher.LeftOut.AddRange(Publications.PartsOf(message).Select(part =>
                 new LeftOut(reason, part, CellMessageFaults.Named(CellKinds.Of(message.Topic), part) + ": " + DropMessages.Of(reason))));
         var name = Publications.NameIn(message);
-        if (reason == DropReason.None && name != null && !IsOwn(name))
+        if (reason == DropReason.None && name != null && !_rights.MayUse(name))
             reason = DropReason.NotAllowed;
         if (reason != DropReason.None)
         {
@@ -207,7 +207,7 @@ sealed class RosbridgeSession : IDisposable
             return;
         }
 
-        var refusal = name == null || _names.TryUse(name, this) ? _publisher.Publish(message, stamp, _receivedAt) : RefuseName(name);
+        var refusal = RefuseName(name) ?? _publisher.Publish(message, stamp, _receivedAt);
         if (refusal != null)
             _replies.Drop(message, refusal.Value);
         else
@@ -216,9 +216,14 @@ sealed class RosbridgeSession : IDisposable
         _replies.DropParts(message, _publisher.LeftOut);
     }
 
-    Refusal RefuseName(string name)
+    // The first name that a client uses becomes its name.
+    Refusal? RefuseName(string name)
     {
         _hub.ReportNameRefused(_source, name);
+        if (name == null) return null;
+        if (name != (_name ??= name))
+            return new Refusal(DropReason.NotAllowed, $"the name {Short(name)}", Rule: RequestMessages.OneName(Short(_name)));
+        if (_names.TryUse(name, this)) return null;
         return new Refusal(DropReason.JointTaken, $"the name {Short(name)}");
     }
 
@@ -236,9 +241,6 @@ sealed class RosbridgeSession : IDisposable
         _replies.Drop(message, reason, rule: _publisher.LeftOut.Find(part => part.Reason == reason).Fault);
         _publisher.LeftOut.Clear();
     }
-
-    // Whether a client may use a name. The first name that it uses becomes its name.
-    bool IsOwn(string name) => _rights.MayUse(name) && name == (_name ??= name);
 
     void Call(RosbridgeMessage message)
     {

@@ -48,7 +48,7 @@ public class DisplayedTopicTests
 
         await headset.SendAsync(Shown("h2"));
 
-        await headset.ExpectErrorAsync("role");
+        await headset.ExpectErrorAsync("the name h2 " + RequestMessages.OneName("h1"));
         Assert.That(gateway.Drops[DropReason.NotAllowed], Is.EqualTo(1));
     }
 

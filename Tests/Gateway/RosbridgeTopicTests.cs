@@ -274,6 +274,6 @@ public class RosbridgeTopicTests
         Assert.That((received.Level, received.Name, received.Message), Is.EqualTo((2, "h", "no pose")));
         var another = new DiagnosticsMessage(default, "h2", []);
         await headset.SendAsync(RosbridgeWriter.Publish(RosTopics.Diagnostics, another, RosTimeForm.Sec));
-        await headset.ExpectErrorAsync("role");
+        await headset.ExpectErrorAsync("the name h2 " + RequestMessages.OneName("h1"));
     }
 }

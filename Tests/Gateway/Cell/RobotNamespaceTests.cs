@@ -137,7 +137,7 @@ public class RobotNamespaceTests
     {
         await _first.SendAsync(State("", 1, "a"));
         await _first.SendAsync(State(robot, 1, "panda/b"));
-        await _first.SendAsync(RosbridgeWriter.PublishDiagnostics(
+        await _first.SendAsync(RosbridgeWriter.Publish(
             RosTopics.Diagnostics, new DiagnosticsMessage(default, "h1", [KeyValuePair.Create("l_app_ms", "50")]), RosTimeForm.Sec));
         await _first.RoundTripAsync();
 
