@@ -61,7 +61,7 @@ public sealed class TokenList
     /// <param name="path">Path of the file.</param>
     /// <param name="log">Receives a line when the file becomes invalid; null for no log.</param>
     /// <exception cref="InputException">
-    /// A line is invalid, or the file has no token. The message names file and line, but does not contain the token.
+    /// A line is invalid, a token has two roles, or the file has no token. The message names file and line, but does not contain the token.
     /// </exception>
     public static TokenList Read(string path, Action<string> log = null)
     {
@@ -106,10 +106,19 @@ public sealed class TokenList
     static (byte[] Hash, Role Role)[] Hashed(IEnumerable<(string Token, Role Role)> tokens) =>
         [.. tokens.Select(entry => (HashOf(entry.Token), entry.Role))];
 
-    static IEnumerable<(string Token, Role Role)> Entries(string[] lines, string path) => lines
-        .Select((line, index) => (Text: line.Trim(), Number: index + 1))
-        .Where(line => line.Text.Length > 0 && line.Text[0] != '#')
-        .Select(line => Entry(line.Text, $"{path}, line {line.Number}"));
+    static IEnumerable<(string Token, Role Role)> Entries(string[] lines, string path)
+    {
+        var known = new Dictionary<string, (Role Role, int Line)>();
+        for (var number = 1; number <= lines.Length; number++)
+        {
+            var text = lines[number - 1].Trim();
+            if (text.Length == 0 || text[0] == '#') continue;
+            var (token, role) = Entry(text, $"{path}, line {number}");
+            if (!known.TryAdd(token, (role, number)) && known[token].Role != role)
+                throw new InputException(TokenFileMessages.TwoRoles(path, known[token].Line, number));
+            yield return (token, role);
+        }
+    }
 
     static IEnumerable<(string Where, double Bits)> WeakEntries(string[] lines, string path) => lines
         .Select((line, index) => (Words: line.Split([' ', '\t'], StringSplitOptions.RemoveEmptyEntries), Where: $"{path}, line {index + 1}"))

@@ -1,4 +1,5 @@
 using NUnit.Framework;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 
 namespace Nowpose.Headless.Tests.Gateway;
@@ -40,6 +41,18 @@ public class TokenListTests
 
         Assert.That(error.Message, Does.Contain(_path + ", line 2").And.Not.Contain("secret"));
     }
+
+    [Test]
+    public void Read_TokenWithTwoRoles_ThrowsWithBothLines()
+    {
+        var error = Assert.Throws<InputException>(() => Read("observer secret\nsource other\n\nsource secret\n"));
+
+        Assert.That(error.Message, Is.EqualTo(TokenFileMessages.TwoRoles(_path, 1, 4)));
+    }
+
+    [Test]
+    public void Read_TokenTwiceWithOneRole_ReturnsTheRole() =>
+        Assert.That(Read("source a\nsource a\n").RoleOf(TokenList.HashOf("a")), Is.EqualTo(Role.Source));
 
     [Test]
     public void Read_TextWithoutToken_Throws() => Assert.Throws<InputException>(() => Read("# none\n"));
