@@ -3,6 +3,8 @@ namespace Nowpose.Cli.Messages;
 /// <summary>Error messages of the command <c>replay</c>, with remedies.</summary>
 static class ReplayMessages
 {
+    public const string Interrupted = "the replay was interrupted, so the result is that of a part of the recording; run it again";
+
     public static string BodyTooLarge(string path) => $"{path}: the errors are too large to compute; the positions must be in m";
     public static string TooLong(string path, int max) => $"{path}: contains more than {max} numbers, which is the maximum; record shorter sessions";
     public static string JointCount(string path, int line, int joints, int header) =>

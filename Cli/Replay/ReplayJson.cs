@@ -3,7 +3,8 @@ namespace Nowpose.Cli.Replay;
 /// <summary>Formats the result of a replay as JSON, with all digits of the numbers.</summary>
 static class ReplayJson
 {
-    public static string Of(ReplayResult result)
+    /// <param name="notes">Reasons why the result can mislead a reader; empty if there are none.</param>
+    public static string Of(ReplayResult result, IReadOnlyCollection<string> notes)
     {
         var json = new Dictionary<string, object>
         {
@@ -16,14 +17,22 @@ static class ReplayJson
             DisplayedErrorMm = Error(body.Displayed?.Position), DisplayedErrorDeg = Error(body.Displayed?.Rotation),
         });
         if (result.Signals.Count > 0) json["signals"] = result.Signals.Select(signal => new { signal.Name, signal.Changes });
+        if (notes.Count > 0) json["notes"] = notes;
         return JsonText.Of(json);
     }
 
     /// <summary>Formats the result of a rigid body. It has no totals, because millimetres and degrees cannot be added.</summary>
-    public static string Of(BodyReplayResult result) => JsonText.Of(new
+    /// <inheritdoc cref="Of(ReplayResult, IReadOnlyCollection{string})" path="/param"/>
+    public static string Of(BodyReplayResult result, IReadOnlyCollection<string> notes)
     {
-        result.File, result.Predictor, result.Frames, Body = new { ErrorMm = Error(result.Position), ErrorDeg = Error(result.Rotation) },
-    });
+        var json = new Dictionary<string, object>
+        {
+            ["file"] = result.File, ["predictor"] = result.Predictor, ["frames"] = result.Frames,
+            ["body"] = new { ErrorMm = Error(result.Position), ErrorDeg = Error(result.Rotation) },
+        };
+        if (notes.Count > 0) json["notes"] = notes;
+        return JsonText.Of(json);
+    }
 
     static object Error(ErrorComparison? comparison) => comparison is { } error ? new { error.RmsHold, error.Rms, error.P95 } : null;
 

@@ -3,6 +3,7 @@ using Nowpose.Cli.Messages;
 using Nowpose.Cli.SessionFiles;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.MotionRecordings;
+using Spectre.Console;
 
 namespace Nowpose.Cli.Replay;
 
@@ -66,7 +67,7 @@ static class ReplayVerb
             var result = WithProgress("events", 2 * session.Events.Count, report => RunSession(path, session, settings, report, cancellation));
             if (result.Frames == 0 && !cancellation.IsCancellationRequested && session.Events.Any(one => one.Kind == RecordedSession.EventKind.Sample))
                 await Console.Error.WriteLineAsync(ConsoleMessages.Line(SessionReplay.NothingScored(path)));
-            Print(result, json);
+            Print(result, json, cancellation.IsCancellationRequested);
         }
         else
         {
@@ -76,14 +77,14 @@ static class ReplayVerb
                 var replay = new BodyReplay(path, recording, settings);
                 var result = WithProgress("frames", replay.Frames, report => replay.Run(report, cancellation));
                 WarnOfRows(path, recording, settings);
-                Print(result, json);
+                Print(result, json, cancellation.IsCancellationRequested);
             }
             else
             {
                 var replay = new ReplayRun(path, recording, settings);
                 var result = WithProgress("frames", replay.Frames, report => replay.Run(report, cancellation));
                 WarnOfRows(path, recording, settings);
-                Print(result, json);
+                Print(result, json, cancellation.IsCancellationRequested);
             }
         }
         return ExitStatus.Done;
@@ -96,17 +97,28 @@ static class ReplayVerb
             Console.Error.WriteLine(ConsoleMessages.Line($"{path}: {warning}"));
     }
 
-    static void Print(ReplayResult result, bool json)
+    /// <param name="isInterrupted">Whether the user ended the replay, so that the result is partial.</param>
+    internal static void Print(ReplayResult result, bool json, bool isInterrupted)
     {
-        if (json) Console.Out.WriteLine(ReplayJson.Of(result));
-        else ReplayTable.Write(ResultConsole.Create(), result);
+        if (json) Console.Out.WriteLine(ReplayJson.Of(result, Notes(isInterrupted)));
+        else Write(console => ReplayTable.Write(console, result), isInterrupted);
     }
 
-    static void Print(BodyReplayResult result, bool json)
+    /// <inheritdoc cref="Print(ReplayResult, bool, bool)"/>
+    internal static void Print(BodyReplayResult result, bool json, bool isInterrupted)
     {
-        if (json) Console.Out.WriteLine(ReplayJson.Of(result));
-        else ReplayTable.Write(ResultConsole.Create(), result);
+        if (json) Console.Out.WriteLine(ReplayJson.Of(result, Notes(isInterrupted)));
+        else Write(console => ReplayTable.Write(console, result), isInterrupted);
     }
+
+    static void Write(Action<IAnsiConsole> write, bool isInterrupted)
+    {
+        var console = ResultConsole.Create();
+        write(console);
+        foreach (var note in Notes(isInterrupted)) console.WriteLine(DemoTexts.Note(note));
+    }
+
+    static string[] Notes(bool isInterrupted) => isInterrupted ? [ReplayMessages.Interrupted] : [];
 
     static T WithProgress<T>(string units, int total, Func<Action<int>, T> replay)
     {

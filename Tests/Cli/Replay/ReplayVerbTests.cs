@@ -1,5 +1,6 @@
 using System.Text.Json;
 using Nowpose.Cli.Messages;
+using Nowpose.Cli.Replay;
 using Nowpose.Gateway.Messages;
 using Nowpose.Headless.Tests.Cli;
 using NUnit.Framework;
@@ -33,6 +34,20 @@ public class ReplayVerbTests
     }
 
     static string[] Keys(JsonElement element) => [.. element.EnumerateObject().Select(property => property.Name)];
+
+    [Test]
+    public async Task Print_InterruptedReplay_NotesIt([Values] bool isJson, [Values] bool isBody)
+    {
+        var (_, output, _) = await CapturedConsole.OfAsync(() =>
+        {
+            if (isBody) ReplayVerb.Print(new BodyReplayResult("f.csv", "hold", 1, default, default), isJson, isInterrupted: true);
+            else ReplayVerb.Print(new ReplayResult("f.csv", "hold", 1, []), isJson, isInterrupted: true);
+            return Task.FromResult(0);
+        });
+
+        var notes = isJson ? JsonDocument.Parse(output).RootElement.GetProperty("notes").Deserialize<string[]>() : [output.ReplaceLineEndings(" ")];
+        Assert.That(notes, Has.Exactly(1).Contains(ReplayMessages.Interrupted));
+    }
 
     [Test]
     public async Task Replay_MotionAsJson_HasTheDocumentedKeys()
