@@ -37,7 +37,7 @@ sealed record DemoRun(
     public IReadOnlyList<string> Notes(string interruption)
     {
         var lost = LostLines > 0 ? DemoMessages.LinesLost(LostLines) : null;
-        string[] notes = [interruption, Settings.MotionWarning, .. BeyondLimits.Select(joint => joint.Words), RecordingProblem, lost];
+        string[] notes = [interruption, .. Settings.MotionWarnings, .. BeyondLimits.Select(joint => joint.Words), RecordingProblem, lost];
         return notes.All(note => note == null) ? null : [.. notes.Where(note => note != null)];
     }
 

@@ -24,8 +24,8 @@ sealed record DemoSettings
     /// <summary>Name of the motion in the report.</summary>
     public string MotionName { get; init; }
 
-    /// <summary>Warning about the recorded motion, in one line; null if there is none.</summary>
-    public string MotionWarning { get; init; }
+    /// <summary>Warnings about the recorded motion, one line each.</summary>
+    public IReadOnlyList<string> MotionWarnings { get; init; } = [];
 
     public string Predictor { get; init; }
 

@@ -106,6 +106,7 @@ static class DemoVerb
         if (RecordingOptions.IsGiven(parsed, Repeats) && !parsed.GetValue(Paper)) throw new InputException(DemoMessages.RepeatsWithoutPaper);
         var robot = RobotFiles.Load(parsed.GetValue(Robot), out var urdf);
         var recording = parsed.GetValue(Recording) is { } path ? MotionRecording.Read(path) : null;
+        var motion = recording == null ? null : new RecordedMotion(recording, robot);
         return new DemoSettings
         {
             Seconds = parsed.GetValue(Seconds),
@@ -114,10 +115,10 @@ static class DemoVerb
             RobotText = urdf,
             Motion = recording == null
                 ? new CellMotion(new CellWork(robot, new PickAndPlaceMotion(robot)))
-                : new CellMotion(new RecordedMotion(recording, robot)),
+                : new CellMotion(motion),
             MotionName = recording == null
                 ? DemoTexts.PickAndPlace : DemoTexts.Recording(Path.GetFileName(recording.Source)),
-            MotionWarning = recording == null ? null : RowInterval.WarningOf(recording, parsed.GetValue(Sampling)),
+            MotionWarnings = recording == null ? [] : WarningsOf(recording, motion, parsed.GetValue(Sampling)),
             Predictor = parsed.GetValue(Predictor),
             Estimator = parsed.GetValue(Estimator),
             Profile = RuntimeOptions.ProfileOf(parsed, Profile, VisualisationError),
@@ -131,10 +132,14 @@ static class DemoVerb
         };
     }
 
+    static string[] WarningsOf(MotionRecording recording, RecordedMotion motion, double samplingMs) =>
+        [.. new[] { RowInterval.WarningOf(recording, samplingMs), motion.Warning }.Where(warning => warning != null)];
+
     static async Task<int> RunAsync(DemoSettings settings, ParseResult parsed, string folder, CancellationToken cancel)
     {
         var output = DemoOutput.At(folder, isPaper: false, parsed.GetValue(Robot), parsed.GetValue(Recording), parsed.GetValue(Profile));
         output.RemoveEarlier();
+        foreach (var warning in settings.MotionWarnings) await Console.Error.WriteLineAsync(ConsoleMessages.Line(warning));
         var run = await DemoStage.PlayAsync(settings, output.SessionPath, cancel);
         return Finish(run, output, cancel.IsCancellationRequested);
     }

@@ -17,6 +17,11 @@ static class PlantMessages
     public static string UnknownColumns(string file, string columns, string robot, string joints) =>
         $"{file}: robot {robot} has no joint {columns}, although other columns have names of its joints, which are {joints}; correct the header";
 
+    /// <param name="moves">The joint that each column moves.</param>
+    public static string ColumnsInOrder(string file, string robot, string moves) =>
+        $"{file}: no column has the name of a joint of robot {robot}, so the columns move the joints in their order: {moves}; "
+        + "to choose other joints, use their names in the header";
+
     public static string ColumnCount(string file, int columns, string names, string robot, int joints) =>
         $"{file}: the recording has {columns} columns ({names}), but robot {robot} has {joints} joints that move independently; remove "
         + "columns, or choose a robot with at least one such joint for each column";

@@ -32,12 +32,23 @@ public sealed class RecordedMotion : IMotion
         _recording = recording;
         _robot = robot;
         JointNames = PlantJoints.NamesOf(robot);
-        _joints = ByName(recording, robot) ?? InOrder(recording, robot);
+        _joints = ByName(recording, robot);
+        if (_joints == null)
+        {
+            _joints = InOrder(recording, robot);
+            var moves = recording.Names.Zip(_joints, (column, joint) => $"{column} moves {JointNames[joint]}");
+            Warning = PlantMessages.ColumnsInOrder(recording.Source, robot.Name, string.Join(", ", moves));
+        }
+
         _rest = [.. robot.MovingJoints.Select(joint => joint.Limits.Clamp(0))];
         _given = [.. robot.MovingJoints.Select(joint => joint.Mimic == null || _joints.Contains(joint.MovingIndex))];
     }
 
     public IReadOnlyList<string> JointNames { get; }
+
+    /// <summary>Lists the joints that the columns move, if they were assigned in order; null if they were assigned by name.</summary>
+    public string Warning { get; }
+
     public double CycleSeconds => 2 * _recording.Duration;
 
     public void At(double seconds, Span<double> positions)

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Configuration;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
 using Nowpose.Kinematics;
@@ -35,7 +36,7 @@ static class PlantCommand
                         var motionFor = found.Try(() => motionOf(parsed));
                         // If the entry is invalid, the motion would be compared with the default robot.
                         var model = configured.AreKnown(plant.RobotOption) ? found.Try(() => RobotFiles.Load(plant.Robot(parsed))) : null;
-                        if (motionFor != null && model != null) found.Try(() => motionFor(model));
+                        if (motionFor != null && model != null) found.Good("warning", found.Try(() => WarningOf(motionFor(model))));
                         if (model != null) found.Good("robot", plant.Robot(parsed));
                         return found;
                     },
@@ -51,6 +52,7 @@ static class PlantCommand
                     return (model, text, motionOf(parsed)(model), server.Options(parsed));
                 },
                 stop);
+            if (WarningOf(motion) is { } warning) Announcement.Log(DryRunMessages.WarningLog(warning));
             var clock = server.Clock(parsed);
             await using var gateway = await GatewayServer.StartAsync(
                 options with { ControlClock = PlantClocks.Own }, clock, Announcement.Log, stop);
@@ -67,4 +69,6 @@ static class PlantCommand
         });
         return command;
     }
+
+    static string WarningOf(IMotion motion) => (motion as RecordedMotion)?.Warning;
 }

@@ -29,6 +29,7 @@ public class RecordedPlantTests
         var motion = Played("t,wrist_3_joint,elbow_joint", "ur5");
 
         Assert.That(At(motion, 1), Is.EqualTo(new[] { 0, 0, 0.6, 0, 0, 0.3 }));
+        Assert.That(motion.Warning, Is.Null);
     }
 
     [Test]
@@ -37,6 +38,7 @@ public class RecordedPlantTests
         var motion = Played("t,q1,q2", "ur5");
 
         Assert.That(At(motion, 0.5), Is.EqualTo(new[] { 0.2, 0.4, 0, 0, 0, 0 }).Within(1e-12));
+        Assert.That(motion.Warning, Does.EndWith(PlantMessages.ColumnsInOrder("", "ur5", "q1 moves shoulder_pan_joint, q2 moves shoulder_lift_joint")));
     }
 
     [Test]

@@ -3,6 +3,7 @@ using System.Text.RegularExpressions;
 using Nowpose.Cli.Demo;
 using Nowpose.Cli.Demo.Virtual;
 using Nowpose.Cli.Messages;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Gateway.Plants;
 using Nowpose.Simulation.Work;
@@ -95,10 +96,15 @@ public class DemoFilesTests
 
         var settings = DemoVerb.Settings(DemoVerb.Create().Parse(["--recording", file.Path]));
 
-        Assert.That(settings.MotionWarning, Is.EqualTo(ReplayMessages.CoarseRows(10_000, 50)));
-        var run = Play(5);
-        var (_, output, _) = await FinishAsync(run with { Settings = run.Settings with { MotionWarning = settings.MotionWarning } });
-        AssertNotes(output, settings.MotionWarning);
+        Assert.That(
+            settings.MotionWarnings,
+            Is.EqualTo(new[] { ReplayMessages.CoarseRows(10_000, 50), PlantMessages.ColumnsInOrder(file.Path, "youbot", "a moves arm_joint_1") }));
+        foreach (var warning in settings.MotionWarnings)
+        {
+            var run = Play(5);
+            var (_, output, _) = await FinishAsync(run with { Settings = run.Settings with { MotionWarnings = [warning] } });
+            AssertNotes(output, warning);
+        }
     }
 
     void AssertNotes(string output, string note)
