@@ -10,7 +10,7 @@ namespace Nowpose.Cli.Calibrate;
 sealed class CalibrationOptions
 {
     readonly Option<string> _folder = TextOption.Create(
-        "--out", "Folder for profile.json, calibration.html and, for pictures, pairs.csv", standard: "nowpose-calibration");
+        "--out", "Folder for profile.json, calibration.html and, for vlc with --sweep, pairs.csv", standard: "nowpose-calibration");
 
     readonly Option<bool> _json = SwitchOption.Create("--json", "Print JSON instead of a table");
     readonly DeviceOptions _device = new();
