@@ -1,6 +1,5 @@
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Messages;
-using Nowpose.Gateway.Recording;
 using Nowpose.Gateway.Security;
 using Nowpose.Protocol;
 using static Nowpose.Gateway.Rosbridge.RequestText;
@@ -23,13 +22,6 @@ sealed class StatusReplies(HubSource source, DropCounters drops, PublishRights r
     public void Warn(RosbridgeMessage message, string text)
     {
         if (Level is not ("none" or "error")) reply(RosbridgeWriter.Status("warning", Subject(message) + text, Short(message.Id)));
-    }
-
-    /// <summary>Reports a published robot description that headsets cannot use.</summary>
-    public void ReportDescription(RosbridgeMessage message)
-    {
-        if (Level != "none" && new DescribedRobot(message.Data, message.Topic).Fault is { } fault)
-            reply(RosbridgeWriter.Status("error", Subject(message) + RequestMessages.InvalidDescription(fault), Short(message.Id)));
     }
 
     /// <summary>Reports a message that the hub refused.</summary>
