@@ -37,9 +37,6 @@ static class RequestMessages
     public static string OneName(string name) =>
         $"cannot be used on this connection, which already has the name {name}; open another connection for another name";
 
-    /// <param name="fault">The fault, with its place in the description.</param>
-    public static string InvalidDescription(string fault) => $"cannot be used by headsets; correct the URDF: {fault}";
-
     public static string UnknownOperation(string operation, string allowed) => $"Unknown operation: {operation}. Allowed operations: {allowed}";
 
     public static string Dropped(string source, string trouble, DropReason reason) =>

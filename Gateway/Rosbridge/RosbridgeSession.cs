@@ -219,11 +219,11 @@ sealed class RosbridgeSession : IDisposable
     // The first name that a client uses becomes its name.
     Refusal? RefuseName(string name)
     {
-        _hub.ReportNameRefused(_source, name);
         if (name == null) return null;
         if (name != (_name ??= name))
             return new Refusal(DropReason.NotAllowed, $"the name {Short(name)}", Rule: RequestMessages.OneName(Short(_name)));
         if (_names.TryUse(name, this)) return null;
+        _hub.ReportNameRefused(_source, name);
         return new Refusal(DropReason.JointTaken, $"the name {Short(name)}");
     }
 

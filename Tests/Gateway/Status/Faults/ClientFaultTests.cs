@@ -49,6 +49,24 @@ public class ClientFaultTests
         await _gateway.EndsAsync(kind, name);
     }
 
+    [TestCase("plant/press")]
+    [TestCase("HoloLens")]
+    public async Task Name_UsedByOneClient_IsNotAnEvent(string hardwareId)
+    {
+        await _gateway.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(_gateway.Server);
+        for (var i = 0; i < 6; i++)
+        {
+            await ReportAsync(client, hardwareId);
+            await client.SendAsync(RosbridgeWriter.Publish(RosTopics.JointStates, Gateways.State(i, "a"), RosTimeForm.Sec));
+            await client.RoundTripAsync();
+            _gateway.Time.Advance(TimeSpan.FromSeconds(1));
+        }
+
+        Assert.That((await _gateway.StateAsync()).GetProperty("events").EnumerateArray().Select(one => one.GetProperty("text").GetString()),
+            Has.None.Contains("name"));
+    }
+
     // The gateway detects the loss of the former connection later than the client.
     [Test]
     public async Task Name_OfAClientThatReconnects_IsNotAnEvent()
