@@ -53,6 +53,9 @@ namespace Nowpose.Frames
         /// <inheritdoc cref="SampleTiming.Interval"/>
         public double Interval => _pipeline.Timing.Interval;
 
+        /// <inheritdoc cref="PredictionPipeline{TSample}.IsNewestStampWrong"/>
+        public bool IsNewestStampWrong => _pipeline.IsNewestStampWrong;
+
         /// <inheritdoc cref="JointPredictor.Restarts"/>
         public int Restarts => _pipeline.Restarts;
 
@@ -67,6 +70,12 @@ namespace Nowpose.Frames
             var restarts = Restarts;
             var reason = Order(sample);
             if (Restarts != restarts) Restart(displayed);
+            else if (IsNewestStampWrong)
+            {
+                // See JointPredictor.Add and JointTracks.Add.
+                _past.Clear();
+                UseReady(displayed: double.NaN);
+            }
             else UseReady(displayed);
             if (reason == DropReason.None) _past.Add(sample.Time, sample);
             return reason;

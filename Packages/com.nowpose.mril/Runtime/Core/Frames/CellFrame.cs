@@ -275,7 +275,7 @@ namespace Nowpose.Frames
             var reason = _predictor.Add(new PoseSample(
                 ClockTicks.Seconds(pose.Stamp - epoch), new Vector3D(pose.X, pose.Y, pose.Z), rotation), _displayed);
             var hasRestarted = _predictor.Restarts != restarts;
-            if (!(pose.Stamp <= _newest) || hasRestarted)
+            if (!(pose.Stamp <= _newest) || hasRestarted || _predictor.IsNewestStampWrong)
                 (_newest, _given, _hasArrived) = (pose.Stamp, rotation.At(pose.X, pose.Y, pose.Z), true);
             // The time stamp of the release belongs to the earlier run of the source.
             if (hasRestarted && (Reach?.IsReleased == true || UnknownMover != null)) Put(null);

@@ -49,6 +49,9 @@ namespace Nowpose.Prediction
         /// </summary>
         public int Restarts => _pipeline.Restarts;
 
+        /// <inheritdoc cref="PredictionPipeline{TSample}.IsNewestStampWrong"/>
+        internal bool IsNewestStampWrong => _pipeline.IsNewestStampWrong;
+
         /// <summary>Adds a sample, and solves again if the used samples have changed. Samples may be added in any order.</summary>
         /// <param name="displayed">
         /// Last display time in s, on the clock of the samples. It determines the prediction horizon and the start of the blend to the new
@@ -64,6 +67,8 @@ namespace Nowpose.Prediction
             var restarts = Restarts;
             var reason = _pipeline.Sort(sample);
             if (Restarts != restarts) Clear();
+            // The display jumps back from a wrong stamp, because the blend would start from a value that was not displayed.
+            if (IsNewestStampWrong) displayed = double.NaN;
             foreach (ref readonly var ready in _pipeline.Ready) Use(ready, displayed);
             return reason;
         }
@@ -158,9 +163,10 @@ namespace Nowpose.Prediction
             var here = _plan.IsFollowedAt(reached, NewestTime) ? _plan.At(reached) : SectionAt(reached).Position;
             // A plan contains a continuous joint's angle within one turn; the samples are unwrapped.
             var turns = _limits.IsEndless ? WholeTurns(Hold + _turns - path.FirstPosition) : 0;
-            // A single sample from after the start shows where the joint is on its way to the first set-point.
+            // A single sample from after the start shows where the joint is on its way to the first set-point; near this set-point, it does not matter.
             var (first, elapsed) = (path.FirstPosition + turns + _plan.Offset, NewestTime - reached);
-            if (Motion.Count == 1 && elapsed > 0 && elapsed < path.First) here = first + (here - first) * path.First / (path.First - elapsed);
+            if (Motion.Count == 1 && elapsed > 0 && elapsed < path.First)
+                here = first + (here - first) * path.First / Math.Max(path.First - elapsed, path.First / 2);
             var from = path.First <= 0 ? path.FirstPosition : here - _plan.Offset - turns;
             _plan.Replace(path, start, from, turns, displayed, NewestTime);
         }

@@ -81,7 +81,8 @@ namespace Nowpose.Session
             HasSample(joint) ? _epoch + ClockTicks.Span(_joints[joint].NewestTime) : (ControlTime?)null;
 
         /// <summary>
-        /// Raised within <see cref="Add"/> with the index of a joint whose earlier samples were removed because the clock of the samples went back.
+        /// Raised within <see cref="Add"/> with the index of a joint whose earlier samples were removed, because the clock of the samples went back or the newest
+        /// stamp was wrong.
         /// </summary>
         public event Action<int> Restarted;
 
@@ -104,6 +105,12 @@ namespace Nowpose.Session
                 if (_joints[joint].Restarts != restarts)
                 {
                     hasRestarted = true;
+                    _past[joint].Clear();
+                    Restarted?.Invoke(joint);
+                }
+                else if (_joints[joint].IsNewestStampWrong)
+                {
+                    // The sample with the wrong stamp is newer than those that follow, so it would hide them.
                     _past[joint].Clear();
                     Restarted?.Invoke(joint);
                 }

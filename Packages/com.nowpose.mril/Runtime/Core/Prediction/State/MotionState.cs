@@ -120,9 +120,10 @@ namespace Nowpose.Prediction.State
         public void Take<TSample>(SampleBuffer<TSample> buffer) where TSample : struct, ISample<TSample>
         {
             IsNewest = buffer.IsNewest;
-            (IsPreviousWrong, _wasNewestForgotten) = (_wasNewestForgotten, false);
+            IsPreviousWrong = false;
             if (IsNewest)
             {
+                (IsPreviousWrong, _wasNewestForgotten) = (_wasNewestForgotten, false);
                 PreviousTime = NewestTime;
                 (Velocity, _velocityBefore) = (_velocityBefore, Velocity);
             }

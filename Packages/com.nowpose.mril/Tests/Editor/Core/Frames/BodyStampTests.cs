@@ -70,6 +70,8 @@ namespace Nowpose.Tests.Core.Frames
             var truth = BodyMotions.HandHeld(211 * Interval);
             Assert.That((predictor.Restarts, predictor.NewestTime), Is.EqualTo((0, 211 * Interval)));
             AssertPose(predictor.Hold, PoseOf(truth), 1e-9);
+            AssertPose(predictor.PoseAt(206.5 * Interval, out var origin), PoseOf(BodyMotions.HandHeld(206.5 * Interval)), 0.01);
+            Assert.That(origin, Is.EqualTo(PoseOrigin.Measured));
             AssertPose(predictor.At(212 * Interval), PoseOf(BodyMotions.HandHeld(212 * Interval)), 0.01);
         }
 

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using MathNet.Numerics.Statistics;
-using Nowpose.Frames;
 using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Simulation;
@@ -85,32 +84,6 @@ namespace Nowpose.Tests.Core.Session
             var difference = Math.Abs(ShoulderAfter(isComputedTwice: true) - ShoulderAfter(isComputedTwice: false));
 
             Assert.That(difference, isDisplayed ? Is.GreaterThan(1e-6) : Is.Zero);
-        }
-
-        // The elbow is a continuous joint: its angles wrap from π to −π. The predictor keeps only the newest samples.
-        [TestCase("linear", 0.01)]
-        [TestCase("hold", 0.05)]
-        [TestCase("adaptive", 0.004)]
-        public void At_TimeBeforeTheSamplesOfThePredictor_IsMeasuredForMoreThanASecond(string predictor, double interval)
-        {
-            var tracks = new JointTracks(TestRobot.Model, new PredictionSettings(predictor));
-            var joints = new[] { Shoulder, TestRobot.Model.IndexOfMovingJoint("elbow") };
-            double Elbow(double t) => Math.IEEERemainder(3 * t, 2 * Math.PI);
-            void Add(double t) => tracks.Add(
-                new JointStateMessage(ControlTime.FromSeconds(100 + t), new[] { "shoulder", "elbow" }, new[] { Math.Sin(t), Elbow(t) }), joints);
-            for (var k = 0; k * interval < 3; k++) Add(k * interval);
-            var positions = new double[TestRobot.Model.MovingJoints.Count];
-
-            for (var t = 1.8; t < 2.9; t += 0.013)
-            {
-                Assert.That(tracks.At(ControlTime.FromSeconds(100 + t), joints, positions), Is.EqualTo(PoseOrigin.Measured), $"{t} s");
-                Assert.That(positions[joints[0]], Is.EqualTo(Math.Sin(t)).Within(1e-3));
-                Assert.That(Math.IEEERemainder(positions[joints[1]] - Elbow(t), 2 * Math.PI), Is.Zero.Within(1e-9));
-            }
-            Assert.That(tracks.At(ControlTime.FromSeconds(99), joints, positions), Is.EqualTo(PoseOrigin.None));
-
-            for (var k = 0; k < 5; k++) Add(-10 + k * interval);
-            Assert.That(tracks.At(ControlTime.FromSeconds(102.5), joints, positions), Is.EqualTo(PoseOrigin.None), "the clock went back");
         }
 
         [Test]
