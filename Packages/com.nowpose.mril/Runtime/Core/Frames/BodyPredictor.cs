@@ -69,14 +69,10 @@ namespace Nowpose.Frames
             if (sample.Time > NewestTime) _restsBeforeSecondSample &= _pipeline.IsEmpty;
             var restarts = Restarts;
             var reason = Order(sample);
+            // See JointTracks.Add, and for the display JointPredictor.Add.
+            if (IsNewestStampWrong) _past.Clear();
             if (Restarts != restarts) Restart(displayed);
-            else if (IsNewestStampWrong)
-            {
-                // See JointPredictor.Add and JointTracks.Add.
-                _past.Clear();
-                UseReady(displayed: double.NaN);
-            }
-            else UseReady(displayed);
+            else UseReady(IsNewestStampWrong ? double.NaN : displayed);
             if (reason == DropReason.None) _past.Add(sample.Time, sample);
             return reason;
         }

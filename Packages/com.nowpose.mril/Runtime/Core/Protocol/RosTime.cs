@@ -39,7 +39,7 @@ namespace Nowpose.Protocol
             ref JsonUtf8Reader json, JsonNameCache names, bool isZeroAllowed, out ControlTime stamp, out string frame) =>
             ReadHeader(ref json, NamedHeader, 0b11, isZeroAllowed, names, out stamp, out frame);
 
-        // Reads frame_id as the name of a frame with the cache of such names, or as the name of a headset if there is no cache.
+        // Reads frame_id as the name of a frame with the cache of such names; without a cache, as the name of a headset.
         static bool ReadHeader(
             ref JsonUtf8Reader json, JsonNames fields, int required, bool isZeroAllowed, JsonNameCache frames, out ControlTime stamp, out string frame)
         {

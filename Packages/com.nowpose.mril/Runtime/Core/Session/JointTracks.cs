@@ -102,15 +102,11 @@ namespace Nowpose.Session
                 var restarts = _joints[joint].Restarts;
                 var each = _joints[joint].Add(Sample(time, message, i), _displayed);
                 if (reason != DropReason.None) reason = each;
-                if (_joints[joint].Restarts != restarts)
+                var hasGoneBack = _joints[joint].Restarts != restarts;
+                hasRestarted |= hasGoneBack;
+                // A sample with a stamp in the future is newer than those that follow, so it would hide them.
+                if (hasGoneBack || _joints[joint].IsNewestStampWrong)
                 {
-                    hasRestarted = true;
-                    _past[joint].Clear();
-                    Restarted?.Invoke(joint);
-                }
-                else if (_joints[joint].IsNewestStampWrong)
-                {
-                    // The sample with the wrong stamp is newer than those that follow, so it would hide them.
                     _past[joint].Clear();
                     Restarted?.Invoke(joint);
                 }

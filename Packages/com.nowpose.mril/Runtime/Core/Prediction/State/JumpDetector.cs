@@ -29,7 +29,7 @@ namespace Nowpose.Prediction.State
                 Reset();
                 return;
             }
-            // What happened at a wrong sample was no jump.
+            // The displacement to a wrong sample does not count as a jump.
             if (!motion.IsPreviousWrong) _sinceBefore = SamplesSince;
             SamplesSince = Detect(motion) ? 1 : Math.Min(_sinceBefore, int.MaxValue - 1) + 1;
         }
