@@ -26,7 +26,8 @@ sealed class DiagnosticsBoard(TimeProvider time)
     internal static readonly TimeSpan ForgottenAfter = TimeSpan.FromSeconds(30);
 
     readonly Lock _lock = new();
-    readonly Dictionary<string, (long At, KeyValuePair<string, string>[] Values)> _reports = [];
+    // First: arrival of the first report since the client was added.
+    readonly Dictionary<string, (long First, long At, KeyValuePair<string, string>[] Values)> _reports = [];
 
     public void Add(DiagnosticsMessage message)
     {
@@ -34,7 +35,8 @@ sealed class DiagnosticsBoard(TimeProvider time)
         lock (_lock)
         {
             if (_reports.Count >= MaxClients && !_reports.ContainsKey(message.HardwareId)) MakeRoom();
-            _reports[message.HardwareId] = (time.GetTimestamp(), values);
+            var now = time.GetTimestamp();
+            _reports[message.HardwareId] = (_reports.TryGetValue(message.HardwareId, out var before) ? before.First : now, now, values);
         }
     }
 
@@ -46,7 +48,7 @@ sealed class DiagnosticsBoard(TimeProvider time)
     }
 
     /// <summary>Gets the diagnostics in the order of their names.</summary>
-    public IReadOnlyList<(string Name, TimeSpan Ago, IReadOnlyList<KeyValuePair<string, string>> Values)> Read()
+    public IReadOnlyList<ClientReport> Read()
     {
         lock (_lock)
         {
@@ -54,8 +56,8 @@ sealed class DiagnosticsBoard(TimeProvider time)
                 if (!StatusObjects.IsAdapter(name) && time.GetElapsedTime(report.At) > ForgottenAfter) _reports.Remove(name);
             return
             [
-                .. _reports.OrderBy(report => report.Key, StringComparer.Ordinal)
-                    .Select(report => (report.Key, time.GetElapsedTime(report.Value.At), (IReadOnlyList<KeyValuePair<string, string>>)report.Value.Values)),
+                .. _reports.OrderBy(report => report.Key, StringComparer.Ordinal).Select(report => new ClientReport(
+                    report.Key, time.GetElapsedTime(report.Value.At), time.GetElapsedTime(report.Value.First), report.Value.Values)),
             ];
         }
     }
@@ -73,4 +75,13 @@ sealed class DiagnosticsBoard(TimeProvider time)
 
     // Removes the headset that has been silent for the longest time; without a headset, the adapter that has been silent for the longest time.
     void MakeRoom() => _reports.Remove(_reports.OrderBy(report => StatusObjects.IsAdapter(report.Key)).ThenBy(report => report.Value.At).First().Key);
+}
+
+/// <summary>The latest diagnostics of a headset or an adapter.</summary>
+/// <param name="Name">Its hardware_id.</param>
+/// <param name="Ago">Time since the report.</param>
+/// <param name="Age">Time since its first report.</param>
+sealed record ClientReport(string Name, TimeSpan Ago, TimeSpan Age, IReadOnlyList<KeyValuePair<string, string>> Values)
+{
+    public bool IsOfAdapter => StatusObjects.IsAdapter(Name);
 }

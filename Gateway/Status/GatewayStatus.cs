@@ -145,18 +145,18 @@ sealed class GatewayStatus : IDisposable
             Cell = _options.Cell,
             Host = Environment.MachineName,
             Version = Version,
-            Status = OverallStatus.Of(conditions, joints, frames, signals, _hub.IsRobotDescribed, reports.Count(one => !IsAdapter(one))),
+            Status = OverallStatus.Of(conditions, joints, frames, signals, _hub.IsRobotDescribed, reports.Count(one => !one.IsOfAdapter)),
             StartedUtc = _started.UtcDateTime.ToString("yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture),
             UptimeS = Math.Round(Stopwatch.GetElapsedTime(_startCount).TotalSeconds, 1),
             ControlTimeS = Math.Round(_clock.Now.SinceEpoch.TotalSeconds, 6),
             Clock = OfClock(),
             PlantClocks = [.. _clock.Status().Select(Of)],
-            Adapters = [.. reports.Where(IsAdapter).Select(StatusObjects.Adapter)],
+            Adapters = [.. reports.Where(one => one.IsOfAdapter).Select(StatusObjects.Adapter)],
             Sources = [.. sources.Select(source => Of(source, beyond))],
             Joints = [.. joints.Select(Of)],
             Frames = frames,
             Signals = signals,
-            Headsets = [.. reports.Where(one => !IsAdapter(one)).Select(one => StatusObjects.Headset(one, hops))],
+            Headsets = [.. reports.Where(one => !one.IsOfAdapter).Select(one => StatusObjects.Headset(one, hops))],
             ForwardMs = OfForwarding(),
             Connections = _connections.ToDictionary(server => server.Name, server => Of(server.Counters)),
             Messages = Enumerable.Range(0, Counted.Length).ToDictionary(topic => Counted[topic], topic => Interlocked.Read(ref _messages[topic])),
@@ -258,8 +258,6 @@ sealed class GatewayStatus : IDisposable
     static ConnectionStatus Of(ConnectionCounters counters) => new(
         counters.Open, counters.Accepted,
         Enum.GetValues<Closure>().Where(why => counters[why] > 0).ToDictionary(why => why.ToString(), why => counters[why]));
-
-    static bool IsAdapter((string Name, TimeSpan, IReadOnlyList<KeyValuePair<string, string>>) one) => StatusObjects.IsAdapter(one.Name);
 
     static double? Middle(TimeSpan[] sorted) => sorted.Length == 0 ? null : At(sorted, 0.5);
 

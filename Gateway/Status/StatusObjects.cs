@@ -29,10 +29,10 @@ static class StatusObjects
 
     public static string AdapterName(string hardwareId) => hardwareId[(hardwareId.IndexOf('/', StringComparison.Ordinal) + 1)..];
 
-    public static JsonObject Adapter((string Name, TimeSpan Ago, IReadOnlyList<KeyValuePair<string, string>> Values) report) =>
+    public static JsonObject Adapter(ClientReport report) =>
         Words(AdapterName(report.Name), report.Ago, report.Values);
 
-    public static JsonObject Headset((string Name, TimeSpan Ago, IReadOnlyList<KeyValuePair<string, string>> Values) report, HopTimes hops)
+    public static JsonObject Headset(ClientReport report, HopTimes hops)
     {
         var headset = Words(report.Name, report.Ago, report.Values);
         headset["budget_ms"] = Budget(headset, hops);

@@ -175,9 +175,9 @@ sealed class Conditions(
     }
 
     // Finds adapters that have not reported since their start. SilentAdapter covers adapters whose reports stop later.
-    IEnumerable<Condition> OfAdapters(IReadOnlyList<(string Name, TimeSpan Ago, IReadOnlyList<KeyValuePair<string, string>>)> reports) =>
+    IEnumerable<Condition> OfAdapters(IReadOnlyList<ClientReport> reports) =>
         from state in Adapters.Select(adapter => adapter())
-        let isReporting = reports.Any(one => StatusObjects.IsAdapter(one.Name) && StatusObjects.AdapterName(one.Name) == state.Name && one.Ago < state.RunTime)
+        let isReporting = reports.Any(one => one.IsOfAdapter && StatusObjects.AdapterName(one.Name) == state.Name && one.Ago < state.RunTime)
         where !isReporting
         let end = state.End is { } end ? EventTexts.ProgramEnded(end) : null
         select new Condition(
@@ -188,9 +188,9 @@ sealed class Conditions(
             IsNormalAtStart = end == null,
         };
 
-    IEnumerable<Condition> Of((string Name, TimeSpan Ago, IReadOnlyList<KeyValuePair<string, string>> Values) report)
+    IEnumerable<Condition> Of(ClientReport report)
     {
-        var isAdapter = StatusObjects.IsAdapter(report.Name);
+        var isAdapter = report.IsOfAdapter;
         var (kind, name) = isAdapter ? ("adapter", StatusObjects.AdapterName(report.Name)) : ("headset", report.Name);
         if (report.Ago > StatusObjects.Silence)
         {
@@ -205,6 +205,7 @@ sealed class Conditions(
                 Headline = EventTexts.NotConnected(name),
                 // Normal only before the first samples; later, it means that the connection was lost.
                 IsNormalAtStart = Value("samples") is null or "0",
+                Age = report.Age,
             };
         if (isAdapter && Value("notice") is { } notice)
             yield return new(kind, name, EventTexts.HasNotice, notice, Level.Warning);
@@ -214,6 +215,9 @@ sealed class Conditions(
             yield return new(kind, name, EventTexts.NoCurrentPose, ReasonOf(pose, Value(HeadsetKeys.MissingJoints)), Level.Warning)
             {
                 Remedy = RemedyOf(pose, Value(HeadsetKeys.MissingJoints)),
+                // The first frames come before the first samples and before enough sync exchanges.
+                IsNormalAtStart = true,
+                Age = report.Age,
             };
     }
 

@@ -8,7 +8,7 @@ sealed class EventList(TimeProvider time, Action<string> log)
     /// <summary>Maximum number of events, except while more are active.</summary>
     internal const int MaxEvents = 500;
 
-    /// <summary>Time after the start of the gateway in which conditions that are normal at startup cause no event.</summary>
+    /// <summary>Time after the start of the gateway or of a client in which conditions that are normal at startup cause no event.</summary>
     internal static readonly TimeSpan StartGrace = TimeSpan.FromSeconds(3);
 
     readonly long _started = time.GetTimestamp();
@@ -38,7 +38,7 @@ sealed class EventList(TimeProvider time, Action<string> log)
             foreach (var key in _pending.Keys.Where(key => !byKey.ContainsKey(key)).ToList()) _pending.Remove(key);
             foreach (var condition in byKey.Values)
             {
-                if (condition.IsNormalAtStart && time.GetElapsedTime(_started) < StartGrace) _pending.TryAdd(condition.Key, condition.Since ?? now);
+                if (condition.IsNormalAtStart && (condition.Age ?? time.GetElapsedTime(_started)) < StartGrace) _pending.TryAdd(condition.Key, condition.Since ?? now);
                 else lines.Add(Begin(condition, _pending.Remove(condition.Key, out var since) ? since : condition.Since ?? now, null));
             }
         }

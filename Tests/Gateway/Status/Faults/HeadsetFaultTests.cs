@@ -1,5 +1,6 @@
 using System.Net;
 using Nowpose.Gateway.Messages;
+using Nowpose.Gateway.Status.Events;
 using Nowpose.Network;
 using Nowpose.Protocol;
 using NUnit.Framework;
@@ -20,7 +21,7 @@ public class HeadsetFaultTests
     [Test]
     public async Task Headset_PoseNotCurrentThenLost_AddsTwoEventsAndTheGatewayStaysReady()
     {
-        await _gateway.StartAsync();
+        await StartWithHeadsetAsync();
         _gateway.Report("goggles", ("pose", "incomplete"), ("missing_joints", "a,b"));
         await _gateway.BeginsAsync("headset", "goggles");
         Assert.That((await _gateway.EventAsync("headset", "goggles")).GetProperty("reason").GetString(), Does.Contain("a,b"));
@@ -35,9 +36,26 @@ public class HeadsetFaultTests
     }
 
     [Test]
-    public async Task Headset_MissingJointNamedLikeANumber_IsCounted()
+    public async Task Headset_PoseNotCurrentDirectlyAfterItsStart_AddsAnEventOnlyIfItLasts()
     {
         await _gateway.StartAsync();
+        _gateway.Time.Advance(TimeSpan.FromMinutes(1));
+        _gateway.Report("quick", ("pose", "held"), ("missing_joints", "a"));
+        _gateway.Report("slow", ("pose", "unsynchronised"));
+        _gateway.Time.Advance(TimeSpan.FromSeconds(2));
+        _gateway.Report("quick", ("pose", "current"));
+        _gateway.Report("slow", ("pose", "unsynchronised"));
+        _gateway.Time.Advance(TimeSpan.FromSeconds(2));
+        await _gateway.BeginsAsync("headset", "slow");
+
+        var events = (await _gateway.StateAsync()).GetProperty("events").EnumerateArray().Select(one => one.GetProperty("which").GetString());
+        Assert.That(events, Is.EqualTo(new[] { "slow" }));
+    }
+
+    [Test]
+    public async Task Headset_MissingJointNamedLikeANumber_IsCounted()
+    {
+        await StartWithHeadsetAsync();
         _gateway.Report("goggles", ("pose", "incomplete"), ("missing_joints", "3"));
 
         await _gateway.BeginsAsync("headset", "goggles");
@@ -73,7 +91,7 @@ public class HeadsetFaultTests
     [TestCaseSource(nameof(NotCurrent))]
     public async Task Headset_PoseNotCurrent_EventContainsTheCauseAndARemedy(string pose, string missing, string expected)
     {
-        await _gateway.StartAsync();
+        await StartWithHeadsetAsync();
 
         _gateway.Report("goggles", ("pose", pose), ("missing_joints", missing));
 
@@ -129,5 +147,13 @@ public class HeadsetFaultTests
         Assert.That(state.GetProperty("headsets").GetArrayLength(), Is.EqualTo(isLost ? 1 : 0), state.GetRawText());
         Assert.That(status.GetProperty("level").GetString(), Is.EqualTo("warning"), "the headset is a warning even while no source publishes");
         Assert.That(status.GetProperty("text").GetString().Contains(EventTexts.HeadsetLost), Is.EqualTo(isLost));
+    }
+
+    // Starts the gateway and a headset whose first seconds are over.
+    async Task StartWithHeadsetAsync()
+    {
+        await _gateway.StartAsync();
+        _gateway.Report("goggles", ("pose", "current"));
+        _gateway.Time.Advance(EventList.StartGrace);
     }
 }
