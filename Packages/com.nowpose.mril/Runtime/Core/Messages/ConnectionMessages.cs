@@ -1,6 +1,5 @@
 using System;
 using System.Net.Sockets;
-using System.Security.Authentication;
 using Nowpose.Protocol;
 using Nowpose.Sync;
 
@@ -23,9 +22,6 @@ namespace Nowpose.Messages
 
         public const string TokenCharacter =
             "token: contains a character that is not allowed in an HTTP header; use ASCII letters, digits and punctuation";
-
-        public static string TlsVersion(SslProtocols version) =>
-            $"TLS: the gateway supports only {version}; 1.2 or 1.3 is needed; enable one of them on the gateway";
 
         public const string NotHttp = "the response is not HTTP/1.1; check that host and port are those of a gateway";
 

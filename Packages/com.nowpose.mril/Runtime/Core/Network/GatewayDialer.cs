@@ -33,7 +33,7 @@ namespace Nowpose.Network
 
         /// <exception cref="GatewayRefusalException">
         /// The host name is unknown, the gateway refused the connection or did not respond in time, the network is down, the certificate is not
-        /// trusted, or the TLS version is too old.
+        /// trusted, or the gateway does not support TLS 1.2.
         /// </exception>
         /// <exception cref="OperationCanceledException">The operation was cancelled.</exception>
         public async Task<Stream> OpenAsync(int port, CancellationToken cancel)
@@ -88,6 +88,7 @@ namespace Nowpose.Network
             }
         }
 
+        // Unity's TLS derives its range of versions from this argument: with SslProtocols.None, it is empty, and every handshake fails.
         async Task<Stream> SecureAsync(Stream plain)
         {
             string refusal = null;
@@ -98,16 +99,14 @@ namespace Nowpose.Network
             });
             try
             {
-                // SslProtocols.None lets the platform choose its best version; .NET Standard 2.1 has no constant for TLS 1.3.
                 await secure.AuthenticateAsClientAsync(
-                    _settings.Host, null, SslProtocols.None, checkCertificateRevocation: false).ConfigureAwait(false);
-                if (secure.SslProtocol < SslProtocols.Tls12)
-                    throw new GatewayRefusalException(ConnectionMessages.TlsVersion(secure.SslProtocol));
+                    _settings.Host, null, SslProtocols.Tls12, checkCertificateRevocation: false).ConfigureAwait(false);
                 return secure;
             }
-            catch (AuthenticationException failure)
+            catch (Exception failure) when (refusal != null || !(failure is IOException || failure is ObjectDisposedException))
             {
-                throw new GatewayRefusalException(refusal ?? ConnectionMessages.TlsFailed(failure.Message), failure);
+                // The outer exception often only refers to the inner one. Unity's TLS throws types of its own.
+                throw new GatewayRefusalException(refusal ?? ConnectionMessages.TlsFailed(failure.GetBaseException().Message), failure);
             }
         }
     }
