@@ -1,5 +1,6 @@
 using System;
 using System.Reflection.Emit;
+using System.Security.Authentication;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -19,6 +20,10 @@ static class Faults
     }
 
     public static GameObject WithCollider() => GameObject.CreatePrimitive(PrimitiveType.Cube); // refused
+
+    public static SslProtocols VersionOfTls(bool isKnown) => isKnown
+        ? SslProtocols.Tls12
+        : SslProtocols.None; // refused
 
     public static object MadeAtRunTime(Type element)
     {
