@@ -51,8 +51,9 @@ half4 Shade(Fragment fragment) : SV_Target
     float hatch = UNITY_ACCESS_INSTANCED_PROP(UnityPerMaterial, _Hatch);
 
     // Shades as if the only light were at the viewer, so shapes are recognisable in a scene without lights. The absolute value is needed
-    // because a mirrored object has reversed normals.
-    float facing = abs(dot(normalize(fragment.normal), normalize(fragment.view)));
+    // because a mirrored object has reversed normals. A line has no normals: Unity then reads zeros, which cannot be normalised.
+    float square = dot(fragment.normal, fragment.normal);
+    float facing = square > 0 ? abs(dot(fragment.normal, normalize(fragment.view))) * rsqrt(square) : 1;
     colour.rgb *= 0.4 + 0.6 * facing;
     colour.a *= NowposeOpacity(fade, hatch, fragment.metres);
     return colour;
