@@ -149,14 +149,18 @@ public sealed class ArSpatialAnchorsTests
         Assert.That(anchor.Problem, Is.EqualTo(DeviceMessages.AnchorNotCreated));
     }
 
-    [Test]
-    public void Hold_AnchorDisablesItself_FailsImmediately()
+    // AR Foundation 6 deactivates the object of a refused anchor; later versions disable the component.
+    [TestCase(false)]
+    [TestCase(true)]
+    public void Hold_AnchorDisablesItselfOrItsObject_FailsImmediately(bool isObject)
     {
         _device.Accepts = false;
         var anchor = _anchors.Hold(Place);
         Run(0.1);
 
-        Object.FindObjectOfType<ARAnchor>().enabled = false;
+        var refused = Object.FindObjectOfType<ARAnchor>();
+        if (isObject) refused.gameObject.SetActive(false);
+        else refused.enabled = false;
         Run(0.1);
 
         Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Failed));

@@ -95,8 +95,8 @@ namespace Nowpose.ArFoundation
             _wasThere = true;
             if (_anchor.trackableId == TrackableId.invalidId)
             {
-                // Newer versions of AR Foundation disable an anchor that the device refused.
-                if (!_anchor.enabled || IsLate) End(DeviceMessages.AnchorNotCreated);
+                // AR Foundation 6 deactivates the object of an anchor that the device refused; later versions disable the anchor.
+                if (!_anchor.enabled || !_anchor.gameObject.activeSelf || IsLate) End(DeviceMessages.AnchorNotCreated);
                 return;
             }
             Track();
