@@ -191,13 +191,15 @@ namespace Nowpose.Unity
         {
             _source = this.SessionOr(_session);
             if (!Has(_source, "session")) return;
-            FindGhosts();
             if (_panel == null) _panel = _source.GetComponentInChildren<StatusPanel>(true);
             if (_pairing == null) _pairing = _source.GetComponentInChildren<CellPairing>(true);
             if (_appearance == null) _appearance = DisplayedBelow(_source);
             _occlusion.Begin(_source, _occluder);
             _lastRaised = State;
         }
+
+        // A player may refuse to search the whole scene in OnEnable, while it still loads the scene.
+        void Start() => FindGhosts();
 
         void OnDisable()
         {
