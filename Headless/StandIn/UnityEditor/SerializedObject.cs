@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Reflection;
 using UnityEngine.Serialization;
 using Object = UnityEngine.Object;
 
@@ -24,10 +25,23 @@ public class SerializedObject : IDisposable
 
     public SerializedProperty FindProperty(string propertyPath)
     {
-        var field = SerializedFields.Of(targetObject.GetType()).FirstOrDefault(f => f.Name == propertyPath);
-        return field == null ? null : new SerializedProperty(
-            this, propertyPath, field.FieldType, o => field.GetValue(o), (o, value) => field.SetValue(o, value))
-        { Drawer = PropertyDrawer.For(field) };
+        var (type, path, owner) = (targetObject.GetType(), new List<FieldInfo>(), (Func<object, object>)(o => o));
+        foreach (var name in propertyPath.Split('.'))
+        {
+            var field = SerializedFields.Of(type).FirstOrDefault(f => f.Name == name);
+            if (field == null) return null;
+            if (path.Count > 0)
+            {
+                var (outer, before) = (path[^1], owner);
+                owner = o => outer.GetValue(before(o));
+            }
+            path.Add(field);
+            type = field.FieldType;
+        }
+
+        var last = path[^1];
+        return new SerializedProperty(this, propertyPath, type, o => last.GetValue(owner(o)), (o, value) => last.SetValue(owner(o), value))
+        { Drawer = PropertyDrawer.For(last) };
     }
 
     public void Update() => _changes.Clear();

@@ -1,6 +1,7 @@
 using System;
 using System.Collections;
 using System.Linq;
+using UnityEngine;
 using Object = UnityEngine.Object;
 
 namespace UnityEditor;
@@ -43,6 +44,18 @@ public class SerializedProperty : IDisposable
     public bool boolValue
     {
         get => (bool)Value;
+        set => Set(value);
+    }
+
+    public float floatValue
+    {
+        get => (float)Value;
+        set => Set(value);
+    }
+
+    public Color colorValue
+    {
+        get => (Color)Value;
         set => Set(value);
     }
 

@@ -24,22 +24,21 @@ static class Props
         return camera;
     }
 
-    /// <summary>Creates a camera that a headset moves. Its background is black, which a see-through display shows as transparent.</summary>
-    /// <remarks>If a headset's rig has its own camera, use <see cref="SetNearClip"/> to give that camera the same near clip plane.</remarks>
+    /// <summary>
+    /// Creates a camera that a headset moves. Its background is black, which a see-through display shows as transparent. With a near clip plane at 0.1 m, a
+    /// step of a 16-bit depth buffer is 0.34 mm at 1.5 m; at 0.02 m it would be 1.7 mm.
+    /// </summary>
     public static GameObject HeadsetCamera()
     {
         var camera = new GameObject("Main Camera") { tag = "MainCamera" };
         var settings = camera.AddComponent<Camera>();
         settings.clearFlags = CameraClearFlags.SolidColor;
         settings.backgroundColor = new Color(0, 0, 0, 0);
-        SetNearClip(settings);
+        settings.nearClipPlane = 0.1f;
         settings.farClipPlane = 100;
         settings.depth = -1;
         return camera;
     }
-
-    /// <summary>Sets the near clip plane. At 0.1 m, a step of a 16-bit depth buffer is 0.34 mm at 1.5 m; at 0.02 m it would be 1.7 mm.</summary>
-    public static void SetNearClip(Camera camera) => camera.nearClipPlane = 0.1f;
 
     /// <summary>
     /// Creates a directional light. The scene of a headset has no shadows, because they need a second rendering pass, and a headset's display cannot

@@ -182,6 +182,27 @@ public sealed class ProjectChecksTests : EditorFixture
         Assert.That(PrefabUtility.Recorded, Is.EqualTo(new[] { _reviewed.Camera, _reviewed.Camera }));
     }
 
+    // MRTK3's rig overwrites the camera at run time.
+    [Test]
+    public void Camera_BelowTheRigOfMrtk3_ChecksReadAndFixTheSettingsOfTheRig()
+    {
+        var rig = Keep(new GameObject("Rig")).AddComponent<CameraSettingsManager>();
+        _reviewed.Camera.transform.SetParent(rig.transform);
+        int near = _reviewed.IndexOf(CheckTitles.NearClip), background = _reviewed.IndexOf(CheckTitles.CameraBackground);
+        _reviewed.Review.Refresh();
+        Assert.That(_reviewed.Review.Results[near].State, Is.EqualTo(CheckState.Good), "0.1 m in the rig, 0.02 m in the camera");
+        rig.Transparent.Near = 0.01f;
+
+        _reviewed.Review.Refresh();
+        Assert.That((_reviewed.Review.Results[near].State, _reviewed.Review.Results[background].State), Is.EqualTo((CheckState.Missing, CheckState.Missing)));
+        _reviewed.Review.Fix(near);
+        _reviewed.Review.Fix(background);
+
+        Assert.That((_reviewed.Review.Results[near].State, _reviewed.Review.Results[background].State), Is.EqualTo((CheckState.Good, CheckState.Good)));
+        Assert.That((rig.Transparent.Near, rig.Transparent.Mode, rig.Transparent.Colour), Is.EqualTo((0.1f, CameraClearFlags.SolidColor, Color.clear)));
+        Assert.That(_reviewed.Camera.nearClipPlane, Is.EqualTo(0.02f));
+    }
+
     [Test]
     public void Camera_ClearsToOpaqueBlack_CheckReportsTheSettingAsMissing()
     {
@@ -230,5 +251,27 @@ public sealed class ProjectChecksTests : EditorFixture
 
     sealed class HDRenderPipelineAsset : RenderPipelineAsset
     {
+    }
+
+    // The names are those of MRTK3's component.
+    sealed class CameraSettingsManager : MonoBehaviour
+    {
+        [SerializeField] CameraSettings transparentDisplay = new();
+
+        public CameraSettings Transparent => transparentDisplay;
+    }
+
+    [Serializable]
+    sealed class CameraSettings
+    {
+        [SerializeField] CameraClearFlags clearMode = CameraClearFlags.Skybox;
+        [SerializeField] Color clearColor = new(0, 0, 0, 1);
+        [SerializeField] float nearPlaneDistance = 0.1f;
+
+        public float Near { get => nearPlaneDistance; set => nearPlaneDistance = value; }
+
+        public CameraClearFlags Mode => clearMode;
+
+        public Color Colour => clearColor;
     }
 }

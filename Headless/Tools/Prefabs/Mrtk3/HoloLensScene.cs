@@ -14,7 +14,6 @@ static class HoloLensScene
     public static string Make(PackageAssets assets)
     {
         var rig = assets.Instantiate(ForeignPaths.Rig, null);
-        Props.SetNearClip(rig.GetComponentInChildren<Camera>(includeInactive: true));
         var simulator = assets.Instantiate(ForeignPaths.Simulator, null);
         var ar = new GameObject("AR Session");
         ar.AddComponent<ARSession>();

@@ -40,7 +40,8 @@ namespace Nowpose.Editor.Messages
 
         public const string NearClip =
             "The headset stabilises the image with a 16-bit depth buffer. A closer near clip plane makes the depth steps larger: at a distance "
-            + "of 1.5 m, a step is 0.34 mm with the plane at 0.1 m, and 1.7 mm with the plane at 0.02 m, as in MRTK3's rig.";
+            + "of 1.5 m, a step is 0.34 mm with the plane at 0.1 m, and 1.7 mm with the plane at 0.02 m. MRTK3's rig sets the plane at run time, from "
+            + "its Camera Settings Manager.";
 
         public const string OpenXrLoader = "Without OpenXR, the app is a flat window in front of the wearer.";
         public const string MixedRealityOpenXr = "It provides the features of a HoloLens that OpenXR itself lacks: anchors, markers and display times.";
