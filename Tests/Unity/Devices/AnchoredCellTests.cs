@@ -108,6 +108,22 @@ public sealed class AnchoredCellTests
         return 1000 * Vector3.Distance(_anchor.transform.position, place.position);
     }
 
+    // In standby, the origin of a HoloLens often moves.
+    [TestCase(false, BaseAnchorState.Searching)]
+    [TestCase(true, BaseAnchorState.Locked)]
+    public void Resume_WithOrWithoutAnAnchor_BaseStaysLockedOnlyWithOne(bool accepts, BaseAnchorState expected)
+    {
+        _device.Accepts = accepts;
+        Run(4, true);
+        Assert.That(_anchor.State, Is.EqualTo(BaseAnchorState.Locked), "no pause so far");
+
+        _cell.Player.Pause(true);
+        _cell.Player.Pause(false);
+        Run(0.5, false);
+
+        Assert.That(_anchor.State, Is.EqualTo(expected));
+    }
+
     [Test]
     public void Base_CodeInView_IsLockedAndStoredUnderTheCellsName()
     {

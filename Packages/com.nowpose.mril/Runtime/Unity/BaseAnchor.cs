@@ -37,9 +37,9 @@ namespace Nowpose.Unity
         float _settleMs = 1850;
 
         [FormerlySerializedAs("_oldestMs")]
-        [SerializeField, Range(20, 10_000), Tooltip("Maximum age of a marker's pose, ms. Older poses are ignored. Default 400: trackers continue "
-            + "to report old poses, and some see a code only twice a second.")]
-        float _maxAgeMs = 400;
+        [SerializeField, Range(20, 10_000), Tooltip("Maximum age of a marker's pose, ms. Older poses are ignored. Default 2000: trackers continue "
+            + "to report old poses, and 99 % of a HoloLens 2's poses of a code in view are younger than 2 s.")]
+        float _maxAgeMs = 2000;
 
         [FormerlySerializedAs("_farthestMetres")]
         [SerializeField, Range(0.1f, 20), Tooltip("Maximum distance from the head to a marker in metres. Markers farther away are ignored. "
@@ -74,10 +74,10 @@ namespace Nowpose.Unity
 
         readonly AnchorSources _sources = new AnchorSources();
         MrilSession _session;
-        BaseAnchorState _loggedState;
-        string _loggedWords = "", _fault, _loggedProblem, _loggedRefused;
-        MarkerConflict _loggedConflict;
-        bool _loggedCorrected, _loggedScale, _isGiven;
+        readonly AnchorLog _log = new AnchorLog();
+        BaseAnchorState _state;
+        string _words = "", _fault;
+        bool _loggedScale, _isGiven;
         (Vector3 Position, Quaternion Rotation) _own;
 
         /// <summary>Raised when <see cref="Place"/> or <see cref="Nudge"/> moves the anchor.</summary>
@@ -198,6 +198,11 @@ namespace Nowpose.Unity
 
         void OnDestroy() => Tracker?.Release();
 
+        void OnApplicationPause(bool isPaused)
+        {
+            if (!isPaused) Tracker?.Resume(_session.ClockOrDevices().Now);
+        }
+
         void LateUpdate()
         {
             _sources.Find(_session != null ? _session.transform : transform.root);
@@ -220,23 +225,10 @@ namespace Nowpose.Unity
         void Notify()
         {
             var (state, words) = (State, Words);
-            if (state == _loggedState && ReferenceEquals(words, _loggedWords)) return;
-            var isNew = HasNewProblem();
-            // An invalid field was already logged as an error. The component is disabled by a user, or at the end of the scene.
-            if (Problem == null && (state != _loggedState || isNew)) AnchorLog.Log(this, state, words, isNew);
-            (_loggedState, _loggedWords) = (state, words);
+            if (state == _state && ReferenceEquals(words, _words)) return;
+            (_state, _words) = (state, words);
+            _log.Log(this, Tracker, state, words, isQuiet: Problem != null);
             StateChanged?.Invoke();
-        }
-
-        // Returns whether a problem, conflict, correction or unknown marker is new since the last call, so that each one is logged once.
-        bool HasNewProblem()
-        {
-            if (Tracker == null) return false;
-            var (problem, conflict, isCorrected, refused) = (Tracker.Problem, Tracker.Conflict, Tracker.IsCorrected, Tracker.RefusedPayload);
-            var isNew = (problem != null && problem != _loggedProblem) || (conflict != null && !conflict.IsOf(_loggedConflict))
-                || (isCorrected && !_loggedCorrected) || (refused != null && refused != _loggedRefused);
-            (_loggedProblem, _loggedConflict, _loggedCorrected, _loggedRefused) = (problem, conflict, isCorrected, refused);
-            return isNew;
         }
 
         void ReportScale()

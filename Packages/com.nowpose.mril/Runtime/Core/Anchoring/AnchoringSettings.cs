@@ -18,7 +18,7 @@ namespace Nowpose.Anchoring
         /// </param>
         /// <exception cref="InputException">A number is out of range.</exception>
         public AnchoringSettings(
-            double settleMs = 1850, double oldestMs = 400, double farthestMetres = 2.5, double maxObliqueDegrees = 60,
+            double settleMs = 1850, double oldestMs = 2000, double farthestMetres = 2.5, double maxObliqueDegrees = 60,
             double lockErrorMetres = 0.001, double lockErrorDegrees = 0.25,
             double toleranceMetres = 0.005, double toleranceDegrees = 0.5, double easeMs = 800)
         {

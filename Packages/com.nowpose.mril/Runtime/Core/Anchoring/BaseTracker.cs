@@ -15,7 +15,7 @@ namespace Nowpose.Anchoring
     public sealed class BaseTracker
     {
         readonly AnchoringSettings _settings;
-        readonly EasedPose _shown;
+        readonly BasePose _pose;
         readonly HeldPlace _place = new HeldPlace();
         readonly LockAttempt _attempt;
         readonly BaseStatusText _words;
@@ -24,14 +24,12 @@ namespace Nowpose.Anchoring
         BaseAnchorState _state;
         HeadsetTime _now;
         RelockedFrom _former;
-        RigidTransform? _placed;
-        MapCorrection _correction;
         bool _hasNewSightings, _isHeldByHand, _wasLost;
 
         internal BaseTracker(AnchoringSettings settings)
         {
             _settings = settings ?? throw new ArgumentNullException(nameof(settings));
-            _shown = new EasedPose(settings.Ease);
+            _pose = new BasePose(settings.Ease);
             _attempt = new LockAttempt(settings);
             _words = new BaseStatusText(settings);
         }
@@ -48,19 +46,19 @@ namespace Nowpose.Anchoring
 
         /// <summary>Pose of the base in the room frame; null if neither markers nor the device have determined it.</summary>
         /// <remarks>During a new search, this is the previous pose.</remarks>
-        public RigidTransform? Base { get; private set; }
+        public RigidTransform? Base => _pose.Newest;
 
         /// <summary>Displayed pose of the base, which follows <see cref="Base"/> without jumps.</summary>
-        public RigidTransform? Shown => Base.HasValue ? _shown.Pose : null;
+        public RigidTransform? Shown => _pose.Shown;
 
         /// <summary>Details of the newest lock; null before the first lock, and after the lock was removed.</summary>
-        public LockReport Lock { get; private set; }
+        public LockReport Lock => _pose.Lock;
 
         /// <summary>Distance by which the device has moved the base since the newest lock, by correcting its map, in metres.</summary>
-        public double CorrectedMetres => _correction.Metres;
+        public double CorrectedMetres => _pose.Correction.Metres;
 
         /// <summary>Angle by which the device has turned the base since the newest lock, by correcting its map, in radians.</summary>
-        public double CorrectedRadians => _correction.Radians;
+        public double CorrectedRadians => _pose.Correction.Radians;
 
         /// <summary>Markers that contradict each other, with their deviation; null if all agree.</summary>
         public MarkerConflict Conflict => _attempt.Conflict;
@@ -103,9 +101,7 @@ namespace Nowpose.Anchoring
 
         /// <summary>Whether markers are compared with their expected poses.</summary>
         bool IsWatching => IsKnown && !_place.IsLost;
-
         bool IsLost => IsKnown && _place.IsLost;
-
         bool IsKnown => Base.HasValue && (_state == BaseAnchorState.Locked || _state == BaseAnchorState.Restored || _state == BaseAnchorState.Moved);
 
         /// <summary>Replaces the cell and the markers.</summary>
@@ -149,9 +145,7 @@ namespace Nowpose.Anchoring
         public void Place(RigidTransform? at = null)
         {
             _place.Release(seekAgain: false);
-            ClearBase();
-            _placed = at;
-            _shown.Jump(at);
+            _pose.Clear(at);
             (IsBeingPlaced, _isHeldByHand, _former) = (false, false, null);
             if (_state != BaseAnchorState.Searching || _markers.Count == 0) _state = BaseAnchorState.Placed;
             _words.Update(this, _now);
@@ -162,7 +156,17 @@ namespace Nowpose.Anchoring
         public void Release()
         {
             _place.Release(seekAgain: true);
-            ClearBase();
+            _pose.Clear(null);
+            Begin();
+        }
+
+        /// <summary>Records that the app was suspended, for example in standby, after which the origin of the device's poses may be elsewhere.</summary>
+        /// <remarks>An anchor moves with the room, so its pose is followed however far it moves. Without one, the markers must determine it again.</remarks>
+        internal void Resume(HeadsetTime now)
+        {
+            _place.Resume(now);
+            if (!Base.HasValue || _markers.Count == 0 || _place.IsConfirmed) return;
+            _place.Release(seekAgain: false);
             Begin();
         }
 
@@ -172,7 +176,6 @@ namespace Nowpose.Anchoring
         /// <param name="anchors">Anchors of the device; null if it has none.</param>
         internal void Tick(HeadsetTime now, IReadOnlyList<MarkerSighting> sightings, in RigidTransform? head, ISpatialAnchors anchors)
         {
-            if (sightings == null) throw new ArgumentNullException(nameof(sightings));
             _now = now;
             _hand.BeginFrame();
             FollowPlace(anchors);
@@ -181,8 +184,7 @@ namespace Nowpose.Anchoring
             if (isReleased) LockByHand(anchors);
             if (_hasNewSightings && !IsBeingPlaced && !_isHeldByHand && !IsLost) Judge(now, anchors);
             if (_former?.Follow(now, _markers.All) == true) Return(_former);
-            if (Base is RigidTransform pose) _shown.Follow(pose, now);
-            else _shown.Rest(now);
+            _pose.Follow(now);
             _words.Update(this, now);
         }
 
@@ -190,16 +192,22 @@ namespace Nowpose.Anchoring
         {
             var isOpen = _state == BaseAnchorState.Searching || _state == BaseAnchorState.Placed;
             if (!Base.HasValue && isOpen) _place.Seek(anchors, Cell);
-            if (IsLost != _wasLost)
-            {
-                // Removes the sightings, because their deviations were measured in a map that is no longer valid.
-                _wasLost = IsLost;
-                _markers.RemoveSightings();
-            }
-            if (IsBeingPlaced || !(_place.Follow(Base) is RigidTransform pose)) return;
+            // The deviations of the sightings were measured in a map that is no longer valid.
+            if (IsLost != _wasLost) _markers.RemoveSightings();
+            _wasLost = IsLost;
+            if (IsBeingPlaced || !(_place.Follow(Base, _now) is RigidTransform pose)) return;
             if (!Base.HasValue && isOpen) _state = BaseAnchorState.Restored;
-            else if (Base.HasValue && Lock != null) _correction = new MapCorrection(Lock.Base, pose);
-            Base = pose;
+            if (_place.HasJumped) TakeElsewhere(pose);
+            else _pose.Correct(pose);
+        }
+
+        // The lock was measured from another origin. The next markers in view confirm the position.
+        void TakeElsewhere(in RigidTransform pose)
+        {
+            _markers.Restart();
+            _attempt.Reset();
+            _pose.Replace(pose);
+            if (IsKnown) _state = BaseAnchorState.Restored;
         }
 
         /// <returns>Whether the marker is being moved by hand.</returns>
@@ -220,8 +228,7 @@ namespace Nowpose.Anchoring
                 _place.Release(seekAgain: false);
                 (_state, IsBeingPlaced) = (BaseAnchorState.Searching, true);
             }
-            Base = placed;
-            _shown.Jump(Base);
+            _pose.Jump(placed);
             return true;
         }
 
@@ -235,7 +242,7 @@ namespace Nowpose.Anchoring
         {
             _isHeldByHand = true;
             _state = BaseAnchorState.Locked;
-            Lock = new LockReport(Base.Value, 0, 0, 0, 0, 0);
+            _pose.Take(new LockReport(Base.Value, 0, 0, 0, 0, 0));
         }
 
         void Judge(HeadsetTime now, ISpatialAnchors anchors)
@@ -267,18 +274,16 @@ namespace Nowpose.Anchoring
         {
             var fitted = _attempt.Fitted;
             double metres = 0, radians = 0;
-            if ((Base ?? _placed) is RigidTransform before) (metres, radians) = (before.DistanceTo(fitted), before.AngleTo(fitted));
+            if ((Base ?? _pose.From) is RigidTransform before) (metres, radians) = (before.DistanceTo(fitted), before.AngleTo(fitted));
             var spread = _attempt.Spread();
             Take(new LockReport(fitted, _attempt.Count, spread.Metres, spread.Radians, metres, radians), anchors);
         }
 
         void Take(LockReport report, ISpatialAnchors anchors)
         {
-            Lock = report;
-            (_former, _placed) = (null, null);
-            _correction = default;
+            _pose.Take(report);
+            _former = null;
             _state = BaseAnchorState.Locked;
-            Base = report.Base;
             _place.Hold(anchors, report.Base, Cell);
         }
 
@@ -289,12 +294,6 @@ namespace Nowpose.Anchoring
             (_hasNewSightings, _isHeldByHand, IsBeingPlaced) = (false, false, false);
             (_former, LastReport) = (null, null);
             _state = _markers.Count > 0 ? BaseAnchorState.Searching : BaseAnchorState.Placed;
-        }
-
-        void ClearBase()
-        {
-            (Base, Lock, _placed, _correction) = (null, null, null, default);
-            _shown.Jump(null);
         }
     }
 }

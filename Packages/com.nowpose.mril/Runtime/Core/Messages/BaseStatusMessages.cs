@@ -47,7 +47,7 @@ namespace Nowpose.Messages
         /// <param name="isBlind">Whether no code of any kind has been reported for a long time.</param>
         /// <param name="problem">Problem of the source of markers; null if there is none.</param>
         public static string Looking(bool isBlind, string problem) =>
-            isBlind ? "looking for markers; allow access to the camera if it is blocked" : "looking for markers" + Because(problem);
+            isBlind ? "looking for markers; go closer, and allow access to the camera if it is blocked" : "looking for markers" + Because(problem);
 
         /// <param name="marker">The marker with the largest difference.</param>
         public static string Moved(int markers, string marker, string difference) => markers > 1

@@ -19,9 +19,10 @@ namespace Nowpose.Anchoring.Tracking
         const double MinStandardErrors = 3;
 
         /// <summary>
-        /// Recent: maximum age of the poses that are used. Oldest: maximum age of the poses that are added if there are too few recent ones.
+        /// Recent: maximum age of the poses that are used. Oldest: maximum age of the poses that are added if there are too few recent ones, because a
+        /// HoloLens 2 may report a code only once in 2 s.
         /// </summary>
-        static readonly TimeSpan Recent = TimeSpan.FromMilliseconds(600), Oldest = TimeSpan.FromSeconds(5);
+        static readonly TimeSpan Recent = TimeSpan.FromMilliseconds(600), Oldest = TimeSpan.FromSeconds(10);
 
         readonly double[] _values = new double[Capacity * Numbers];
         readonly HeadsetTime[] _times = new HeadsetTime[Capacity];

@@ -17,6 +17,10 @@ namespace Nowpose.Anchoring.Tracking
         /// <summary>Maximum correction of the map; a larger one indicates another map or another position.</summary>
         const double MaxJumpMetres = 0.3, MaxTurnRadians = 10 * Math.PI / 180;
 
+        /// <summary>Time after a resume in which the device may find its place in the room again, and move the origin of its poses.</summary>
+        static readonly TimeSpan RelocationTime = TimeSpan.FromSeconds(30);
+
+        HeadsetTime? _resumed;
         ISpatialAnchor _anchor, _former;
         bool _isSought, _hasTracked;
 
@@ -32,6 +36,12 @@ namespace Nowpose.Anchoring.Tracking
         /// The device's map may have changed, so the position is lost. A position that the device has never held was measured in the current map.
         /// </remarks>
         public bool IsRemoved => _hasTracked && _anchor.State == SpatialAnchorState.Failed;
+
+        /// <summary>Whether the device has held the position since the lock, and still holds it.</summary>
+        public bool IsConfirmed => _hasTracked && !IsRemoved;
+
+        /// <summary>Whether the last followed pose was too far from the previous one for a correction of the map.</summary>
+        public bool HasJumped { get; private set; }
 
         /// <summary>Difference of the reported pose, if it is too large to be followed; otherwise null.</summary>
         public MapCorrection? Elsewhere { get; private set; }
@@ -78,18 +88,23 @@ namespace Nowpose.Anchoring.Tracking
             _isSought = !seekAgain;
         }
 
+        /// <summary>Records that the app was suspended. For some time, a pose is followed however far it is from the previous one.</summary>
+        public void Resume(HeadsetTime now) => _resumed = now;
+
         /// <param name="last">Previous pose; null before the first pose.</param>
         /// <returns>The current pose; null when it is unknown.</returns>
-        public RigidTransform? Follow(in RigidTransform? last)
+        public RigidTransform? Follow(in RigidTransform? last, HeadsetTime now)
         {
             Elsewhere = null;
+            HasJumped = false;
             if (_anchor == null || _anchor.State != SpatialAnchorState.Tracking) return null;
             _hasTracked = true;
             Leave(ref _former);
             if (!(_anchor.Pose is RigidTransform pose) || !pose.IsPose()) return null;
             var jump = last is RigidTransform before ? new MapCorrection(before, pose) : default;
             if (PoseNumbers.Length(pose.X, pose.Y, pose.Z) < OriginMetres && (!last.HasValue || jump.Metres > JumpMetres)) return null;
-            if (jump.Metres <= MaxJumpMetres && jump.Radians <= MaxTurnRadians) return pose;
+            HasJumped = jump.Metres > MaxJumpMetres || jump.Radians > MaxTurnRadians;
+            if (!HasJumped || (_resumed is HeadsetTime resumed && now - resumed <= RelocationTime)) return pose;
             Elsewhere = jump;
             return null;
         }

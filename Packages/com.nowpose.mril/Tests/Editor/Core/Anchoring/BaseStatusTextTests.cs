@@ -64,7 +64,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(Words(), Is.EqualTo("marker 'a' " + BaseStatusMessages.TooOblique));
             Report(RigidTransform.FromXyzRpy(1.2, -0.4, 0.3, 0, -1, 0));
             Assert.That(Words(), Is.EqualTo("marker 'a' " + BaseStatusMessages.Behind));
-            Report(ageSeconds: 1);
+            Report(ageSeconds: 3);
             Assert.That(Words(), Is.EqualTo("marker 'a' " + BaseStatusMessages.NotInView));
         }
 

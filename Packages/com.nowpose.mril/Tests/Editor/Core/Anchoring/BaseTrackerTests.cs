@@ -34,23 +34,21 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(cell.Tracker.Base, Is.Null);
         }
 
-        [Test]
-        public void Tick_MarkerSeenRarely_LocksAfterEnoughSightings()
+        // A HoloLens 2 reports a code about twice a second, some tenths of a second later.
+        [TestCase(0.5, 0.0, 8)]
+        [TestCase(0.5, 0.6, 9)]
+        [TestCase(1, 0.6, 15)]
+        [TestCase(1.7, 0.25, 25)]
+        public void Tick_MarkerSeenRarelyAndReportedLate_LocksAfterEnoughSightings(double interval, double delay, double atMost)
         {
             var cell = SimulatedMarkers.One(1, 0);
             cell.Noisy();
             cell.OutlierShare = 0;
-            var reported = cell.Now;
-            // The sighting changes only twice per second, as on devices that read codes.
-            cell.Change = sighting =>
-            {
-                if (sighting.LastSeen - reported >= Lengths.Seconds(0.5)) reported = sighting.LastSeen;
-                return new MarkerSighting("1", "a", sighting.Pose, 0, reported, MarkerTracking.Tracking);
-            };
+            cell.ReportRarely(interval, delay);
 
-            var took = cell.RunUntilLocked(20);
+            var took = cell.RunUntilLocked(60);
 
-            Assert.That(took, Is.InRange(3.0, 8.0));
+            Assert.That(took, Is.InRange(3.0, atMost));
             Assert.That(cell.ErrorAt().Metres, Is.LessThan(0.003));
         }
 
@@ -99,9 +97,9 @@ namespace Nowpose.Tests.Core.Anchoring
         {
             var cell = SimulatedMarkers.One(1, 0.3);
             cell.Noisy();
-            cell.IsInView = _ => cell.Seconds % 1.2 < 0.1;
+            cell.IsInView = _ => cell.Seconds % 5 < 0.1;
 
-            Assert.That(cell.RunUntilLocked(10), Is.Null);
+            Assert.That(cell.RunUntilLocked(40), Is.Null);
         }
 
         [TestCase(0.005)]

@@ -160,7 +160,7 @@ namespace Nowpose.Tests.Core.Anchoring
         public void Tick_OldAndNewSightingOfOneCode_CountsTheOldSightingOnce()
         {
             var cell = NoisyOne();
-            var old = new[] { new MarkerSighting("0", "a", cell.Base, 0, cell.Now - Lengths.Seconds(1), MarkerTracking.Tracking) };
+            var old = new[] { new MarkerSighting("0", "a", cell.Base, 0, cell.Now - Lengths.Seconds(3), MarkerTracking.Tracking) };
 
             cell.Run(1, () => cell.Tracker.Tick(cell.Now, old, null, null));
 

@@ -88,7 +88,7 @@ namespace Nowpose.Tests.Core.Anchoring
             var cell = NoisyOneOfThree();
             var spread = cell.Tracker.Lock.SpreadMetres;
             cell.IsInView = _ => false;
-            cell.Run(1);
+            cell.Run(5);
             cell.IsInView = payload => payload == "a";
             cell.Run(2 / 60.0);
             Assert.That(cell.Tracker.Markers[0].SpreadMetres, Is.Null);

@@ -40,7 +40,7 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(Judge(tracking: MarkerTracking.Limited), Is.EqualTo(SightingFault.NotTracked));
             Assert.That(Judge(pose: default(RigidTransform)), Is.EqualTo(SightingFault.NoPose));
             Assert.That(Judge(pose: RigidTransform.Identity), Is.EqualTo(SightingFault.AtOrigin));
-            Assert.That(Judge(age: 0.5), Is.EqualTo(SightingFault.Old));
+            Assert.That(Judge(age: 2.1), Is.EqualTo(SightingFault.Old));
             Assert.That(Judge(age: -1), Is.EqualTo(SightingFault.Old), "in the future");
             Assert.That(Judge(size: 0.12), Is.EqualTo(SightingFault.OtherSize));
             Assert.That(Judge(size: 0.08), Is.EqualTo(SightingFault.OtherSize));

@@ -91,6 +91,18 @@ namespace Nowpose.Tests.Core.Anchoring
             (NoiseMetres, NoiseDegrees, OutlierShare) = (0.002, 0.5, 0.1);
         }
 
+        /// <summary>Makes the device see its only code at an interval, and report it with a delay, both in s.</summary>
+        public void ReportRarely(double interval, double delay)
+        {
+            var (seen, last, reported) = (new Queue<MarkerSighting>(), default(MarkerSighting), default(MarkerSighting));
+            Change = now =>
+            {
+                if (now.LastSeen - last.LastSeen >= Lengths.Seconds(interval)) seen.Enqueue(last = now);
+                while (seen.Count > 0 && Now - seen.Peek().LastSeen >= Lengths.Seconds(delay)) reported = seen.Dequeue();
+                return reported;
+            };
+        }
+
         /// <summary>Lets time pass without frames, as while the headset is suspended.</summary>
         public void Pause(double seconds) => _frame += (int)Math.Round(seconds / FrameSeconds);
 
