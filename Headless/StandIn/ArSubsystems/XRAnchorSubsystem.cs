@@ -5,7 +5,12 @@ namespace UnityEngine.XR.ARSubsystems;
 
 public class XRAnchorSubsystem : TrackingSubsystem<XRAnchor, XRAnchorSubsystem, XRAnchorSubsystemDescriptor, XRAnchorSubsystem.Provider>
 {
+    static ulong s_subsystems;
+
     readonly Dictionary<TrackableId, XRAnchor> _anchors = new();
+
+    // Ids differ between subsystems, also after a restart.
+    readonly ulong _number = ++s_subsystems;
 
     /// <summary>Whether the device accepts anchors.</summary>
     internal bool Accepts { get; set; } = true;
@@ -17,7 +22,7 @@ public class XRAnchorSubsystem : TrackingSubsystem<XRAnchor, XRAnchorSubsystem, 
         anchor = default;
         if (!Accepts) return false;
 
-        anchor = new XRAnchor(new TrackableId(1, (ulong)_anchors.Count + 1), pose, TrackingState.Tracking);
+        anchor = new XRAnchor(new TrackableId(_number, (ulong)_anchors.Count + 1), pose, TrackingState.Tracking);
         _anchors.Add(anchor.trackableId, anchor);
         Report(anchor);
         return true;

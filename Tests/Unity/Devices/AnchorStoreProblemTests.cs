@@ -67,14 +67,21 @@ public sealed class AnchorStoreProblemTests
     [TestCase("")]
     [TestCase("  ")]
     [TestCase(null)]
-    [TestCase("129")]
-    public void Keep_InvalidName_IsReported(string name)
+    public void Keep_NoName_IsReported(string name) => RefusesName(name, DeviceMessages.AnchorWithoutName);
+
+    // OpenXR limits the bytes, not the characters.
+    [TestCase('x', 241, 241)]
+    [TestCase('ä', 121, 242)]
+    public void Keep_NameTooLong_IsReported(char letter, int count, int bytes) =>
+        RefusesName(new string(letter, count), DeviceMessages.AnchorNameTooLong(bytes, 240));
+
+    void RefusesName(string name, string problem)
     {
         _played.Run(0.1);
 
-        var anchor = _played.Kept(name == "129" ? new string('x', 129) : name);
+        var anchor = _played.Kept(name);
 
-        Assert.That(anchor.Problem, Is.EqualTo(name == "129" ? DeviceMessages.AnchorNameTooLong(129, 128) : DeviceMessages.AnchorWithoutName));
+        Assert.That(anchor.Problem, Is.EqualTo(problem));
         Assert.That(_played.Storage.PersistedAnchorNames, Is.Empty);
     }
 

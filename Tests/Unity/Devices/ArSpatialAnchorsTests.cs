@@ -134,6 +134,46 @@ public sealed class ArSpatialAnchorsTests
         Assert.That((anchor.State, anchor.Problem), Is.EqualTo((SpatialAnchorState.Tracking, (string)null)));
     }
 
+    // AR Foundation no longer updates anchors without a running subsystem, so that they would keep their last state.
+    [Test]
+    public void State_SubsystemStops_IsLostUntilItRuns()
+    {
+        var anchor = _anchors.Hold(Place);
+        Run(0.1);
+
+        _device.Stop();
+        Run(5);
+        Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Lost));
+        Assert.That(_anchors.Problem, Is.EqualTo(DeviceMessages.NotRunning("ARAnchorManager")));
+        _device.Start();
+        Run(0.1);
+
+        Assert.That((anchor.State, _anchors.Problem), Is.EqualTo((SpatialAnchorState.Tracking, (string)null)));
+    }
+
+    // After a restart of OpenXR, the subsystem is another object, which does not know the anchors of the earlier one.
+    [Test]
+    public void State_RuntimeRestarted_Fails()
+    {
+        var anchor = _anchors.Hold(Place);
+        Run(0.1);
+
+        _device.Stop();
+        _origin.Device.Dispose();
+        Run(1);
+        var meanwhile = anchor.State;
+        using var restarted = new ArDevice();
+        restarted.Offer<XRAnchorSubsystem>();
+        _cell.Player.ReportGpuTime(TimeSpan.FromMilliseconds(5));
+        Run(1);
+
+        Assert.That(meanwhile, Is.EqualTo(SpatialAnchorState.Lost));
+        Assert.That((anchor.State, anchor.Problem), Is.EqualTo((SpatialAnchorState.Failed, DeviceMessages.AnchorOfEarlierSession)));
+        var next = _anchors.Hold(Place);
+        Run(0.1);
+        Assert.That(next.State, Is.EqualTo(SpatialAnchorState.Tracking));
+    }
+
     [Test]
     public void Hold_DeviceAcceptsNoAnchors_FailsAfterATimeoutWithTheReason()
     {

@@ -26,6 +26,7 @@ namespace Nowpose.ArFoundation
         readonly AnchorKeeping _keeping;
         readonly float _since;
         ARAnchor _anchor;
+        XRAnchorSubsystem _subsystem;
         SpatialAnchorState _state;
         string _problem;
         bool _wasThere;
@@ -123,7 +124,14 @@ namespace Nowpose.ArFoundation
         {
             if (_anchor.pending) return;
             var place = _anchor.transform;
-            if (_anchor.trackingState != TrackingState.Tracking || (_owner.IsSessionOrigin(place.position) && !IsNear(place.position)))
+            if (_owner.IsRunning) _subsystem ??= _owner.Manager.subsystem;
+            if (_owner.IsRunning && _subsystem != _owner.Manager.subsystem)
+            {
+                End(DeviceMessages.AnchorOfEarlierSession);
+                return;
+            }
+            // Without its subsystem, the anchor keeps its last state.
+            if (!_owner.IsRunning || _anchor.trackingState != TrackingState.Tracking || (_owner.IsSessionOrigin(place.position) && !IsNear(place.position)))
             {
                 if (_state == SpatialAnchorState.Tracking || _isLoaded) _state = SpatialAnchorState.Lost;
                 return;

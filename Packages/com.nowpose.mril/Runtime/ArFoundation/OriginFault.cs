@@ -9,5 +9,6 @@ namespace Nowpose.ArFoundation
         SwitchedOff,
         NotOffered,
         NoSession,
+        NotRunning,
     }
 }

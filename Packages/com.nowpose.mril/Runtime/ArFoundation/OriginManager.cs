@@ -62,7 +62,7 @@ namespace Nowpose.ArFoundation
             }
             var subsystem = Manager != null ? _subsystemOf(Manager) : null;
             IsRunning = Manager != null && Manager.isActiveAndEnabled && subsystem != null && subsystem.running;
-            if (Manager != null && subsystem == null) TryAgainWhenXrStarts();
+            if (Manager != null && subsystem?.running != true) TryAgainWhenXrStarts();
             var fault = FaultOf(assigned, subsystem);
             if (fault == OriginFault.None) _since = null;
             else if (Time.unscaledTime - (_since ??= Time.unscaledTime) < ReportDelaySeconds) return false;
@@ -104,7 +104,7 @@ namespace Nowpose.ArFoundation
             return _isOurs ? origin.gameObject.AddComponent<T>() : found;
         }
 
-        // A manager looks for its subsystem only in OnEnable. If XR starts later, the manager must be enabled again.
+        // A manager looks for its subsystem only in OnEnable. If XR starts later, or starts again with other subsystems, the manager must be enabled again.
         void TryAgainWhenXrStarts()
         {
             SubsystemManager.GetSubsystems(Displays);
@@ -122,7 +122,8 @@ namespace Nowpose.ArFoundation
             if (Manager == null) return OriginOr(assigned) == null ? OriginFault.NoOrigin : OriginFault.NoManager;
             if (!Manager.isActiveAndEnabled) return OriginFault.SwitchedOff;
             if (subsystem == null) return OriginFault.NotOffered;
-            return ARSession.state == ARSessionState.None ? OriginFault.NoSession : OriginFault.None;
+            if (ARSession.state == ARSessionState.None) return OriginFault.NoSession;
+            return subsystem.running ? OriginFault.None : OriginFault.NotRunning;
         }
 
         static XROrigin OriginOr(XROrigin assigned)
@@ -141,6 +142,7 @@ namespace Nowpose.ArFoundation
                 case OriginFault.SwitchedOff: return DeviceMessages.ManagerOff(typeof(T).Name);
                 case OriginFault.NotOffered: return DeviceMessages.NotOffered(typeof(T).Name, _need);
                 case OriginFault.NoSession: return DeviceMessages.NoArSession;
+                case OriginFault.NotRunning: return DeviceMessages.NotRunning(typeof(T).Name);
                 default: return null;
             }
         }

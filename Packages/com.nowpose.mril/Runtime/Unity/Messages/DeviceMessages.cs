@@ -22,8 +22,9 @@ namespace Nowpose.Unity.Messages
         public const string AnchorWithoutName = "an anchor without a name cannot be stored; enter a name for the cell";
 
         public static string AnchorNameTooLong(int length, int max) =>
-            $"the name of an anchor has {length} characters; the maximum is {max}; shorten the name of the cell";
+            $"the name of an anchor has {length} bytes (UTF-8); the maximum is {max}; shorten the name of the cell";
 
+        public const string AnchorOfEarlierSession = "the headset's runtime was restarted, and the anchor is not valid any more; lock or place the base again";
         public const string AnchorRemoved = "the device has removed the anchor; lock or place the base again";
         public const string NoAnchors = "the device has no anchors; lock or place the base again";
         public const string AnchorNotCreated = "the device cannot create an anchor here; look around, so that it maps the room, and lock or place the base again";
@@ -46,6 +47,9 @@ namespace Nowpose.Unity.Messages
         public static string ManagerOff(string manager) => $"the {manager} on the XR Origin is switched off; switch it on";
 
         public static string NotOffered(string manager, string need) => $"the device's XR runtime is not running, or does not support the {manager}: {need}";
+
+        public static string NotRunning(string manager) =>
+            $"the subsystem of the {manager} has stopped, so positions are no longer updated; restart the app if this message stays";
 
         public const string NoArSession = "the scene has no AR Session; add one (XR > AR Session)";
 
