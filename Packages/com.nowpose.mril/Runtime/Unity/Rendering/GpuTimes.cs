@@ -8,6 +8,11 @@ namespace Nowpose.Unity.Rendering
     /// <summary>Reads the GPU time of the newest frame. Its methods return zero if the driver does not report this time.</summary>
     sealed class GpuTimes
     {
+        /// <summary>
+        /// Value from which a display reports milliseconds, as com.unity.xr.openxr did before version 1.18; since then, it reports seconds.
+        /// </summary>
+        const double MinMilliseconds = 0.25;
+
         readonly List<XRDisplaySubsystem> _displays = new List<XRDisplaySubsystem>();
         readonly FrameTiming[] _timings = new FrameTiming[1];
 
@@ -15,8 +20,8 @@ namespace Nowpose.Unity.Rendering
         public TimeSpan OfDisplay()
         {
             if (_displays.Count == 0 || !_displays[0].running) SubsystemManager.GetSubsystems(_displays);
-            return _displays.Count > 0 && _displays[0].TryGetAppGPUTimeLastFrame(out var seconds)
-                ? Length(seconds) : TimeSpan.Zero;
+            return _displays.Count > 0 && _displays[0].TryGetAppGPUTimeLastFrame(out var time)
+                ? Length(time < MinMilliseconds ? time : time / 1000) : TimeSpan.Zero;
         }
 
         /// <summary>
