@@ -65,6 +65,7 @@ namespace Nowpose.Recording
         /// <summary>Frees the oldest record's slot.</summary>
         public void Release()
         {
+            _records[IndexOf(_emptied)].DropReferences();
             Volatile.Write(ref _turns[IndexOf(_emptied)], _emptied + _records.Length);
             _emptied++;
         }

@@ -9,8 +9,8 @@ using Nowpose.Sync;
 namespace Nowpose.Recording
 {
     /// <summary>
-    /// One line of a session file before it is formatted; reused for records of any kind. Properties that a kind does not use keep
-    /// values of an earlier record.
+    /// One line of a session file before it is formatted; reused for records of any kind. Numbers that a kind does not use keep the values of an earlier
+    /// record.
     /// </summary>
     sealed class SessionRecord
     {
@@ -101,6 +101,13 @@ namespace Nowpose.Recording
         /// <see cref="StatisticsLine"/> and <see cref="DropsLine"/>.
         /// </summary>
         public double[] Numbers { get; }
+
+        /// <summary>Drops the references to messages, which would otherwise stay in memory until the record is used again.</summary>
+        public void DropReferences()
+        {
+            (Robot, Namespace, NamePrefix, Diagnostics) = (null, null, null, null);
+            (Arrival, Plan, Transform, Signal) = (default, default, default, default);
+        }
 
         public void SetExchange(in SyncExchange exchange, SyncVerdict verdict, SyncExchangeFault fault) =>
             (Exchange, Verdict, Fault) = (exchange, verdict, fault);
