@@ -11,7 +11,7 @@ namespace Nowpose.Frames
         SourceRest _sourceRest;
         CarrierRest _carrierRest;
         ReachPlace _waiting;
-        ReachGrip _unknownGrip;
+        ReachGrip _unknownGrip, _moverBeforeGrip;
         ReachPlace _recordedRelease;
         ControlTime? _movedAt;
 
@@ -53,13 +53,18 @@ namespace Nowpose.Frames
         public void Put(ReachPlace place, in RigidTransform given)
         {
             if (Place == null && place != null) Watch();
-            if (place?.IsReleased != true) UnknownMover = null;
-            // A withdrawn grip returns the object to a release that has been recorded, unless the message about that release came later.
-            if (place?.IsReleased == true && Place?.IsReleased != true && place != _recordedRelease)
+            var (wasGripped, isGripped) = (Place?.IsReleased == false, place?.IsReleased == false);
+            // A withdrawn grip returns the object to a release that has been recorded, unless the message about that release came later. It also
+            // restores the mark from before the grip.
+            var isNewRelease = place?.IsReleased == true && Place?.IsReleased != true && place != _recordedRelease;
+            if (isNewRelease)
             {
                 _sourceRest.Release(given);
                 _carrierRest?.Release();
             }
+            if (isGripped && !wasGripped) _moverBeforeGrip = UnknownMover;
+            if (place?.IsReleased != true) UnknownMover = null;
+            if (wasGripped && !isGripped && !isNewRelease) UnknownMover = _moverBeforeGrip;
             if (place?.IsReleased == true) _recordedRelease = place;
             (_waiting, IsWaiting) = (place, true);
         }
@@ -87,7 +92,7 @@ namespace Nowpose.Frames
         public void Lose(ReachGrip gripper, ControlTime? since, in RigidTransform given)
         {
             Put(null, given);
-            if (IsAtRest(given)) (UnknownMover, _movedAt) = (gripper, since);
+            (UnknownMover, _movedAt) = (IsAtRest(given) ? gripper : null, since);
         }
 
         /// <summary>Removes the marks of a gripper.</summary>
@@ -95,6 +100,7 @@ namespace Nowpose.Frames
         {
             SetUnknownGrip(gripper, isUnknown: false);
             if (UnknownMover == gripper) UnknownMover = null;
+            if (_moverBeforeGrip == gripper) _moverBeforeGrip = null;
         }
 
         // If the source has moved the object since the grip, the object was not in the gripper, or its source follows it there.
@@ -138,7 +144,8 @@ namespace Nowpose.Frames
         public void ForgetTimes()
         {
             _carrierRest?.ForgetTime();
-            (Shown, IsWaiting) = (Place?.WithoutTime(), false);
+            Place?.ForgetTime();
+            (Shown, IsWaiting) = (Place, false);
             _movedAt = null;
         }
     }

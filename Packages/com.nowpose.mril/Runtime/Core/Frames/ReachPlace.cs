@@ -23,11 +23,12 @@ namespace Nowpose.Frames
 
         public RigidTransform Pose { get; }
 
-        public ControlTime Since { get; }
+        /// <summary>Time stamp of the change of the gripper's signal; a time before all poses after <see cref="ForgetTime"/>.</summary>
+        public ControlTime Since { get; private set; }
 
         public bool IsReleased { get; }
 
-        /// <summary>Returns the same place with a time before all poses, because the times of the control system have become invalid.</summary>
-        public ReachPlace WithoutTime() => new ReachPlace(Gripper, Parent, Pose, default, IsReleased);
+        /// <summary>Discards the time, because the times of the control system have become invalid.</summary>
+        public void ForgetTime() => Since = default;
     }
 }

@@ -135,7 +135,7 @@ namespace Nowpose.Tests.Core.Session.Cell
 
         // At first, the predicted poses say that the box is within reach of a gripper that then holds another object.
         [Test]
-        public void StateOf_GripIsWithdrawnAfterTheCarrierMoved_IsStillHeld()
+        public void StateOf_GripIsWithdrawnAfterTheCarrierMoved_IsStillHeld([Values] bool hasClockStepped)
         {
             var (cell, grip) = NewCell("box");
             cell.Sampling = t =>
@@ -147,12 +147,13 @@ namespace Nowpose.Tests.Core.Session.Cell
             Move(cell);
             Until(cell, Open + 3);
             Assert.That(StateOf(cell), Is.EqualTo(PoseState.Held));
+            if (hasClockStepped) StepClock(cell);
             var (tree, box) = (cell.Session.Frames.Tree, cell.Session.Frames.Tree.IndexOf("box"));
             var released = tree[box].Reach;
 
-            tree.Put(box, new ReachPlace(grip, "tool_centre_point", At(0, 0), ControlTime.FromSeconds(Open + 3), isReleased: false));
+            tree.Put(box, new ReachPlace(grip, "tool_centre_point", At(0, 0), ControlTime.FromSeconds(cell.Now + cell.ClockStep), isReleased: false));
             tree.Put(box, released);
-            Until(cell, Open + 4);
+            cell.Run(1);
 
             Assert.That(StateOf(cell), Is.EqualTo(PoseState.Held));
         }
@@ -202,6 +203,23 @@ namespace Nowpose.Tests.Core.Session.Cell
             Until(cell, Open + 2);
 
             Assert.That(Find(cell, "box").GripFault, Is.EqualTo(FrameMessages.CarrierMoved));
+        }
+
+        static void StepClock(CellSession cell)
+        {
+            const double step = 7;
+            var sampling = cell.Sampling;
+            cell.Sampling = null;
+            cell.ClockStep = step;
+            cell.Run(4);
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t + step, Shoulder(t), 0);
+                cell.Send("world", "shuttle", t + step, At(1.2, 0));
+                cell.Send("shuttle", "box", t + step, At(0.05, 0.02));
+            };
+            cell.Run(1);
+            Assert.That((cell.Session.Clock.Steps, StateOf(cell)), Is.EqualTo((1, PoseState.Held)));
         }
 
         static PoseState StateOf(CellSession cell) => cell.Session.Frames.StateOf(Find(cell, "box"));

@@ -98,6 +98,30 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That((grip.Held, StateOf(cell)), Is.EqualTo(("box", PoseState.Current)));
         }
 
+        // The arm stops short of the box. Until its samples show this, the prediction has it at the box.
+        [Test]
+        public void StateOf_GripIsWithdrawnAfterAnUnknownGrip_IsStillHeld()
+        {
+            const double stop = Close - 0.1;
+            var (cell, grip) = NewGrip();
+            cell.Sampling = t =>
+            {
+                cell.SendJoints(t, Math.Min(0, t - stop) - 0.14, 0);
+                cell.Send("world", "box", t, At(1, 0));
+            };
+            cell.Send("grip", 5, 1);
+            Until(cell, 21);
+            cell.Send("grip", 21, 0);
+            Until(cell, Close - 0.03);
+            SendGripNow(cell, Close - 0.03, 1);
+            Until(cell, Close);
+            Assert.That(grip.Held, Is.EqualTo("box"));
+
+            Until(cell, Close + 1);
+
+            Assert.That((grip.Held, StateOf(cell)), Is.EqualTo(((string)null, PoseState.Held)));
+        }
+
         [Test]
         public void StateOf_SignalRestartsWhileTheGripperIsClosed_IsHeld()
         {
