@@ -145,6 +145,13 @@ namespace Nowpose.Frames
         /// <param name="place">The place, after a withdrawn grip that of the earlier release; null if the object's own source determines the place again.</param>
         public void Put(ReachPlace place) => _grips.Put(place, _given);
 
+        /// <summary>
+        /// If it is unknown whether a gripper holds the object, compares the poses of the object's source from now on with the first one after a
+        /// closing. The poses from before the closing do not show whether the object is in the gripper.
+        /// </summary>
+        /// <param name="closing">Time stamp of the closing; null if it is unknown.</param>
+        public void WatchFrom(ControlTime? closing) => _grips.WatchFrom(closing);
+
         /// <inheritdoc cref="ObjectGrips.SetUnknownGrip"/>
         public void SetUnknownGrip(ReachGrip gripper, bool isUnknown) => _grips.SetUnknownGrip(gripper, isUnknown);
 

@@ -13,7 +13,7 @@ namespace Nowpose.Frames
         ReachPlace _waiting;
         ReachGrip _unknownGrip, _moverBeforeGrip;
         ReachPlace _recordedRelease;
-        ControlTime? _movedAt;
+        ControlTime? _movedAt, _watchedSince;
 
         /// <summary>Place in the displayed frame; null if the object's own source determines the place.</summary>
         public ReachPlace Shown { get; private set; }
@@ -52,7 +52,7 @@ namespace Nowpose.Frames
         /// <param name="given">Newest pose of the object's source.</param>
         public void Put(ReachPlace place, in RigidTransform given)
         {
-            if (Place == null && place != null) Watch();
+            if (Place == null && place != null) Watch(place.Since);
             var (wasGripped, isGripped) = (Place?.IsReleased == false, place?.IsReleased == false);
             // A withdrawn grip returns the object to a release that has been recorded, unless the message about that release came later. It also
             // restores the mark from before the grip.
@@ -74,7 +74,7 @@ namespace Nowpose.Frames
         {
             if (!isUnknown && _unknownGrip == gripper) _unknownGrip = null;
             if (!isUnknown) return;
-            if (!IsWatched) Watch();
+            if (!IsWatched) Watch(since: null);
             _unknownGrip = gripper;
         }
 
@@ -82,7 +82,7 @@ namespace Nowpose.Frames
         /// <param name="given">Newest pose of the object's source.</param>
         public void SetUnknownMover(ReachGrip gripper, ControlTime? since, in RigidTransform given)
         {
-            if (!IsWatched) Watch();
+            if (!IsWatched) Watch(since: null);
             if (Place == null && !IsAtRest(given)) return;
             (UnknownMover, _movedAt) = (gripper, since);
         }
@@ -106,8 +106,15 @@ namespace Nowpose.Frames
         // If the source has moved the object since the grip, the object was not in the gripper, or its source follows it there.
         bool IsAtRest(in RigidTransform given) => !_sourceRest.ReleaseAtFirst(given);
 
-        void Watch()
+        /// <inheritdoc cref="CellFrame.WatchFrom"/>
+        public void WatchFrom(ControlTime? closing)
         {
+            if (Place == null && UnknownGrip != null && UnknownMover == null) Watch(closing);
+        }
+
+        void Watch(ControlTime? since)
+        {
+            _watchedSince = since;
             (_sourceRest ??= new SourceRest()).Begin();
             _carrierRest?.Begin();
         }
@@ -125,7 +132,7 @@ namespace Nowpose.Frames
         /// </remarks>
         public bool IsMovedBy(in RigidTransform source, ControlTime stamp, bool isStationary)
         {
-            if (!isStationary) _sourceRest.Add(source);
+            if (!isStationary && !(stamp <= _watchedSince)) _sourceRest.Add(source);
             var isReleased = Place == null ? UnknownMover != null : Place.IsReleased && (isStationary || stamp > Place.Since);
             return isReleased && (isStationary || _sourceRest.IsNoiseKnown) && _sourceRest.IsLeftBy(source);
         }
@@ -146,7 +153,7 @@ namespace Nowpose.Frames
             _carrierRest?.ForgetTime();
             Place?.ForgetTime();
             (Shown, IsWaiting) = (Place, false);
-            _movedAt = null;
+            _movedAt = _watchedSince = null;
         }
     }
 }

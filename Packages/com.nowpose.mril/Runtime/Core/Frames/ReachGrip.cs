@@ -77,6 +77,7 @@ namespace Nowpose.Frames
         {
             if (isClosed == _isClosed) return;
             Settle();
+            if (isClosed) WatchObjects(since);
             if (isClosed) _missed = since == null ? FrameMessages.ClosedAtUnknownTime : null;
             else Open(since);
             _isClosed = isClosed;
@@ -88,6 +89,7 @@ namespace Nowpose.Frames
         public void Resume(bool isClosed)
         {
             Settle();
+            WatchObjects(closing: null);
             _missed = FrameMessages.SignalInterrupted;
             if (!isClosed) Open(since: null);
             _isClosed = isClosed;
@@ -206,10 +208,17 @@ namespace Nowpose.Frames
             Put(new ReachPlace(this, _linkName, inHand.Pose, _poses.At, isReleased: false));
         }
 
+        // What an object's source did before the closing says nothing about what it does while the object may be in the gripper.
+        void WatchObjects(ControlTime? closing)
+        {
+            // A foreach loop over an IReadOnlyList allocates its enumerator.
+            for (var i = 0; i < _objects.Count; i++)
+                if (_tree.IndexOf(_objects[i]) is var index && index >= 0) _tree[index].WatchFrom(closing);
+        }
+
         // Marks the objects that may have been in the gripper unnoticed. Their own sources may still report the places from before the grip.
         void Open(ControlTime? since)
         {
-            // A foreach loop over an IReadOnlyList allocates its enumerator.
             for (var i = 0; i < _objects.Count; i++)
             {
                 var index = _tree.IndexOf(_objects[i]);

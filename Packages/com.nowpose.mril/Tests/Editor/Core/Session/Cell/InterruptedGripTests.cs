@@ -129,6 +129,35 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That(StateOf(cell), Is.EqualTo(PoseState.Current));
         }
 
+        // The conveyor brings the box during the interruption. The gripper then carries it away unnoticed, and opens.
+        [Test]
+        public void Interruption_SourceMovesTheObjectBeforeAnUnnoticedGrip_ObjectIsHeldAfterTheOpening([Values] bool isClosedAfterwards)
+        {
+            var (cell, _) = NewGripper(t => Math.Min(1, 0.5 + 0.5 * Math.Max(0, t - End - 0.5)));
+            Until(cell, End);
+
+            Interrupt(cell, isOfConnection: false, Start - 1, isClosedAfterwards ? 1 : 0);
+            if (isClosedAfterwards) cell.Send("grip", Start + 0.6, 0);
+
+            Until(cell, Start + 2, t => Assert.That(StateOf(cell), Is.EqualTo(PoseState.Held), $"{t} s"));
+        }
+
+        // The poses from before the stop arrive after the change of the signal is visible.
+        [TestCase(0)]
+        [TestCase(0.04)]
+        public void Interruption_ObjectStopsJustBeforeTheGrip_ObjectIsHeldAfterTheOpening(double rest)
+        {
+            var (cell, grip) = NewGripper(t => Math.Min(1, 1 + 0.2 * (t - Close + rest)));
+            Until(cell, Close - 0.03);
+            SendGripNow(cell, Close, 1);
+            Until(cell, End);
+            Assert.That(grip.Held, Is.EqualTo("box"));
+
+            Interrupt(cell, isOfConnection: false, Start - 1, 0);
+
+            Assert.That(StateOf(cell), Is.EqualTo(PoseState.Held));
+        }
+
         // The stamp may be that of a repeated value, so it does not show where the gripper closed.
         [Test]
         public void Interruption_ClosedAfterwards_HeldObjectIsUnknown([Values(false, true)] bool isOfConnection)
