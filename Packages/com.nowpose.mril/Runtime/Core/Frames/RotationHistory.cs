@@ -21,6 +21,12 @@ namespace Nowpose.Frames
         /// <summary>Rotations by a smaller angle, in rad, are rounding errors.</summary>
         const double Rounding = 1e-14;
 
+        /// <summary>
+        /// Maximum angle to the sample before the newest, relative to the angle to the newest, at which the newest is an outlier. A steady motion
+        /// has a smaller quotient only if it turns by more than 160° from sample to sample.
+        /// </summary>
+        const double MaxReturn = 0.25;
+
         // A ring: the entry of an age is at (_newest + age) & (Capacity - 1).
         readonly Entry[] _ring = new Entry[Capacity];
         int _newest;
@@ -40,7 +46,7 @@ namespace Nowpose.Frames
             if (IsAsOld(age - 1, order)) age--;
             if (IsAsOld(age, order)) return AnglesRelativeTo(At(age), rotation);
             // Computes the angles relative to the newer neighbour, so the angles between the newest samples are exact, even after a late sample.
-            var angles = Count == 0 ? default : AnglesRelativeTo(At(Math.Max(age - 1, 0)), rotation);
+            var angles = Count == 0 ? default : AnglesRelativeTo(At(age > 0 ? age - 1 : IsReturn(rotation) ? 1 : 0), rotation);
             if (age < Capacity) Insert(age, new Entry(order, rotation, angles));
             return angles;
         }
@@ -64,6 +70,10 @@ namespace Nowpose.Frames
         /// <summary>Discards all rotations.</summary>
         public void Clear() => Count = 0;
 
+        // A tracker may confuse two rotations once. Relative to the wrong one, the angles would have an error of the size of the motion.
+        bool IsReturn(in UnitQuaternion rotation) =>
+            Count > 1 && Turn(At(1), rotation).Length < MaxReturn * Turn(At(0), rotation).Length;
+
         bool IsAsOld(int age, double order) => age >= 0 && age < Count && JointSample.IsSameTime(At(age).Order, order);
 
         ref Entry At(int age) => ref _ring[(_newest + age) & (Capacity - 1)];
@@ -71,9 +81,11 @@ namespace Nowpose.Frames
         // A repeated sample has exactly the same angles as the first sample.
         static Vector3D AnglesRelativeTo(in Entry entry, in UnitQuaternion rotation)
         {
-            var turn = (rotation * entry.Rotation.Inverse).Log();
+            var turn = Turn(entry, rotation);
             return turn.Length < Rounding ? entry.Angles : entry.Angles + turn;
         }
+
+        static Vector3D Turn(in Entry from, in UnitQuaternion to) => (to * from.Rotation.Inverse).Log();
 
         void Insert(int age, in Entry entry)
         {

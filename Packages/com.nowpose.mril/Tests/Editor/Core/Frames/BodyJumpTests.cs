@@ -105,6 +105,24 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(kind, Is.EqualTo(PredictionKind.Held));
         }
 
+        // A planar marker on a turntable: the wrong rotation is about another axis than that of the turntable.
+        [TestCase(0.6)]
+        [TestCase(3)]
+        public void At_OneRotationOfATurningObjectIsWrong_IsPredictedAsBeforeAfterTheNextSample(double error)
+        {
+            UnitQuaternion Rotation(double t) => UnitQuaternion.Exp(new Vector3D(0, 0, t));
+            var predictor = new BodyPredictor("adaptive", new PredictionLimits());
+            for (var i = 0; i < 105; i++)
+            {
+                var wrong = UnitQuaternion.Exp(new Vector3D(i == 100 ? error : 0, 0, 0));
+                predictor.Add(new PoseSample(i * Interval, default, Rotation(i * Interval) * wrong), (i - 1) * Interval + 0.1);
+                var pose = predictor.At(i * Interval + 0.1, out var kind);
+                if (i <= 100) continue;
+                Assert.That(UnitQuaternion.AngleBetween(UnitQuaternion.Of(pose), Rotation(i * Interval + 0.1)), Is.LessThan(0.01), $"sample {i}");
+                Assert.That(kind, Is.EqualTo(PredictionKind.Predicted), $"sample {i}");
+            }
+        }
+
         // The sample before the jump arrives after the jump. It must not make the jump a motion.
         [Test]
         public void Add_SampleFromBeforeTheJumpArrivesLater_IsNotPartOfTheNewMotion()
