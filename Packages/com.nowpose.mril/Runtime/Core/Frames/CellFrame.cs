@@ -169,9 +169,6 @@ namespace Nowpose.Frames
         /// <param name="since">Time of the release; null if unknown.</param>
         public void Lose(ReachGrip gripper, ControlTime? since) => _grips.Lose(gripper, since, _given);
 
-        /// <inheritdoc cref="ObjectGrips.Forget"/>
-        public void Forget(ReachGrip gripper) => _grips.Forget(gripper);
-
         /// <summary>Takes the pose of <see cref="SourceParent"/> in the world, according to the newest samples. Allocates at the first call.</summary>
         /// <param name="at">Display time; null while it is unknown.</param>
         public void WatchCarrier(in RigidTransform carrier, ControlTime? at) => _grips.WatchCarrier(carrier, at);

@@ -95,14 +95,6 @@ namespace Nowpose.Frames
             (UnknownMover, _movedAt) = (IsAtRest(given) ? gripper : null, since);
         }
 
-        /// <summary>Removes the marks of a gripper.</summary>
-        public void Forget(ReachGrip gripper)
-        {
-            SetUnknownGrip(gripper, isUnknown: false);
-            if (UnknownMover == gripper) UnknownMover = null;
-            if (_moverBeforeGrip == gripper) _moverBeforeGrip = null;
-        }
-
         // If the source has moved the object since the grip, the object was not in the gripper, or its source follows it there.
         bool IsAtRest(in RigidTransform given) => !_sourceRest.ReleaseAtFirst(given);
 

@@ -113,16 +113,16 @@ namespace Nowpose.Frames
         }
 
         /// <summary>
-        /// Lets a held object's own source determine its place again. The place is unknown until the source reports another pose, because the gripper still
-        /// holds the object.
+        /// Lets a held object's own source determine its place again. The place of this object, and of those that may be in the gripper, is unknown
+        /// until their sources report other poses, because the gripper still holds them.
         /// </summary>
         public void Leave()
         {
             Settle();
-            for (var i = 0; i < _tree.Count; i++) _tree[i].Forget(this);
-            Lose(since: null);
+            Open(since: null);
+            for (var i = 0; i < _tree.Count; i++) _tree[i].SetUnknownGrip(this, isUnknown: false);
             _isFinal = true;
-            Fault = _missed = null;
+            Fault = null;
         }
 
         /// <summary>Determines the effect of a change from the data that have arrived. Call it before the tree is evaluated.</summary>

@@ -195,6 +195,31 @@ namespace Nowpose.Tests.Core.Session.Cell
             Assert.That(StateOf(cell), Is.EqualTo(PoseState.Current));
         }
 
+        // A menu hides the gripper while or after it may have carried the box away.
+        [Test]
+        public void Remove_GripperDuringOrAfterAnUnknownGrip_ObjectIsHeldUntilTheSourceReportsAnotherPose([Values] bool hasOpened)
+        {
+            var (cell, grip) = NewGrip();
+            var x = 1.05;
+            cell.Sampling = t =>
+            {
+                if (t > 20) cell.SendJoints(t, Shoulder(t), 0);
+                cell.Send("world", "box", t, At(x, 0.02));
+            };
+            cell.Send("grip", 5, 1);
+            Until(cell, Close);
+            if (hasOpened) cell.Send("grip", Close, 0);
+            Until(cell, Close + 1);
+
+            cell.Session.Grips.Remove(grip);
+            Until(cell, Close + 2);
+            Assert.That(StateOf(cell), Is.EqualTo(PoseState.Held));
+
+            x = 1.1;
+            Until(cell, Close + 3);
+            Assert.That(StateOf(cell), Is.EqualTo(PoseState.Current));
+        }
+
         static (CellSession Cell, ReachGrip Grip) NewGrip(params string[] others)
         {
             var objects = new string[others.Length + 1];
