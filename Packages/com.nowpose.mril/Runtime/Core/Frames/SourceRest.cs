@@ -16,8 +16,14 @@ namespace Nowpose.Frames
     /// </remarks>
     sealed class SourceRest
     {
-        /// <summary>Maximum differences that count as rounding errors, in m and rad.</summary>
-        const double SamePosition = 1e-6, SameRotation = 1e-6;
+        /// <summary>
+        /// Maximum differences of a source at rest, in m and rad, also if it has no noise: an encoder or a camera system may change the last digit
+        /// now and then.
+        /// </summary>
+        const double SamePosition = 1e-3, SameRotation = 5e-3;
+
+        /// <summary>Maximum noise that is a rounding error, in m or rad.</summary>
+        const double Rounding = 1e-7;
 
         /// <summary>Maximum difference between two samples of the same pose, relative to the mean difference between consecutive samples.</summary>
         const double MaxDifference = 6;
@@ -34,7 +40,7 @@ namespace Nowpose.Frames
         readonly RestDetector _position = new RestDetector(Components), _rotation = new RestDetector(Components);
         RigidTransform _rest, _first;
         double _metres, _radians;
-        int _different;
+        int _different, _minDifferent = 1;
 
         /// <summary>
         /// Whether enough samples have been added to measure the noise. After 4 samples, white noise remains undetected in half of all cases; after this
@@ -73,6 +79,7 @@ namespace Nowpose.Frames
         {
             _metres = Math.Max(SamePosition, MaxDifference * _position.Noise);
             _radians = Math.Max(SameRotation, MaxDifference * _rotation.Noise);
+            _minDifferent = _position.Noise > Rounding || _rotation.Noise > Rounding ? MinConsecutive : 1;
         }
 
         /// <summary>Adds a pose of the source that is newer than the previous poses.</summary>
@@ -97,7 +104,7 @@ namespace Nowpose.Frames
         public bool IsLeftBy(in RigidTransform pose)
         {
             _different = IsDifferent(pose) ? _different + 1 : 0;
-            return _different >= (_metres > SamePosition || _radians > SameRotation ? MinConsecutive : 1);
+            return _different >= _minDifferent;
         }
 
         bool IsDifferent(in RigidTransform pose)

@@ -58,6 +58,30 @@ namespace Nowpose.Tests.Core.Session.Cell
             Until(cell, Open + 60, _ => Assert.That(Distance(Find(cell, "box").World, released), Is.LessThan(1e-9), "seed " + seed));
         }
 
+        // The last digit of an encoder changes now and then, first after the noise has been measured.
+        [Test]
+        public void GripperOpens_SourceAtRestChangesByItsResolution_ObjectStaysWhereItWasReleased()
+        {
+            const double resolution = 1e-4;
+            var cell = Released(t => At(t > Open + 1 && Math.Round(t / CellSession.Interval) % 30 == 0 ? 1 + resolution : 1, 0));
+            var released = Find(cell, "box").World;
+
+            Until(cell, Open + 10, t => Assert.That(Distance(Find(cell, "box").World, released), Is.LessThan(1e-9), $"{t} s"));
+        }
+
+        // For example, a program that publishes a pose only when the object is moved.
+        [Test]
+        public void GripperOpens_SourceWithoutNoiseReportsOneOtherPose_ObjectFollowsTheSource()
+        {
+            var cell = Released(t => At(1, 0));
+            cell.Sampling = t => cell.SendJoints(t, Shoulder(t), 0);
+
+            cell.Send("world", "box", Open + 0.6, At(1.002, 0));
+            Until(cell, Open + 1);
+
+            Assert.That(Find(cell, "box").Reach, Is.Null);
+        }
+
         [TestCase(1.0, 0.15)]
         [TestCase(0.1, 0.35)]
         [TestCase(0.01, 2.5)]
