@@ -71,6 +71,14 @@ namespace Nowpose.Sync.Envelope
         /// <summary>Returns the time from the bound of the oldest of the newest exchanges to that of the newest one.</summary>
         public TimeSpan Duration(int exchanges) => _history[0].Received - _history[exchanges - 1].Received;
 
+        /// <summary>Returns the minimum round-trip time of the exchanges in a range, s. A wrong skew has no effect on it.</summary>
+        public double MinRoundTrip(int from, int to)
+        {
+            var min = long.MaxValue;
+            for (var i = from; i < to; i++) min = Math.Min(min, _history[i].Upper - _history[i].Lower);
+            return ClockTicks.Seconds(new TimeSpan(min));
+        }
+
         /// <summary>Returns a quantile of the lateness in a range relative to a reference, s.</summary>
         public double Quantile(int from, int to, double reference, double share)
         {

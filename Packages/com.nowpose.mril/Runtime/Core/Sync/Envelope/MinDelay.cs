@@ -176,8 +176,13 @@ namespace Nowpose.Sync.Envelope
                 measured = window;
                 var late = reference - newest;
                 if (late <= Margin(earlier, minChange, SkewErrorsLonger * skewError, resolution)) continue;
-                // A wrong skew makes one direction late and the other early by the same amount, and the minimum round-trip time is unchanged.
-                if (late + Math.Min(0, other.Lateness(window, earlier)) <= minChange + resolution) continue;
+                // A wrong skew makes one direction late and the other early by the same amount, and the minimum round-trip time is unchanged. While
+                // the rate of a clock changes, the tightest bounds of the two directions come from different times, so round-trip times are used.
+                // They include the error of a recent correction of the other direction.
+                var longer = isExpected
+                    ? late + Math.Min(0, other.Lateness(window, earlier))
+                    : _bounds.MinRoundTrip(0, window) - _bounds.MinRoundTrip(window, earlier);
+                if (longer <= minChange + resolution) continue;
                 if (late <= _bounds.Quantile(window, earlier, reference, 1 - Math.Exp(-significance / window))) continue;
                 var change = reference - Tightest(0, window - window / BoundaryShare);
                 var typicalSince = _bounds.Quantile(0, window, reference - change, 0.5);
