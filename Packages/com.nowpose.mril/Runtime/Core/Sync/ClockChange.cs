@@ -20,10 +20,7 @@ namespace Nowpose.Sync
         /// </summary>
         ServerCorrection,
 
-        /// <summary>A clock stepped by less than a round-trip time. The same machines still provide the clocks.</summary>
-        SmallStep,
-
         /// <summary>A clock stepped, perhaps because another machine now provides the control clock.</summary>
-        LargeStep,
+        Step,
     }
 }

@@ -65,7 +65,7 @@ namespace Nowpose.Sync
             ForgetSuspects();
             if (!_shift.Judge(exchange, line, envelope)) return ClockChange.None;
             _suspects.AddRange(_shift.Since);
-            return Suspicion > envelope.MaxServerErrorBound() + exchange.ServerErrorBound ? ClockChange.SmallStep : ClockChange.ServerCorrection;
+            return Suspicion > envelope.MaxServerErrorBound() + exchange.ServerErrorBound ? ClockChange.Step : ClockChange.ServerCorrection;
         }
 
         /// <summary>Makes the suspected exchanges the reference for later exchanges.</summary>
@@ -94,7 +94,7 @@ namespace Nowpose.Sync
             _suspected.Add(exchange);
             if (_suspects.Count < (IsServerCorrection ? InARowAfterCorrection : InARow)) return ClockChange.Suspected;
             if (IsServerCorrection) return ClockChange.ServerCorrection;
-            return _hasContradicted ? ClockChange.LargeStep : ClockChange.Resolution;
+            return _hasContradicted ? ClockChange.Step : ClockChange.Resolution;
         }
 
         bool AgreesWithSuspects(in SyncExchange exchange) => _suspects.Count == 0

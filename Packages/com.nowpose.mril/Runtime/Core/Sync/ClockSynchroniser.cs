@@ -30,8 +30,8 @@ namespace Nowpose.Sync
         const int SuspectsToConverge = 2;
 
         /// <summary>
-        /// Standard deviations of the change of the skew, dimensionless. SkewUncertaintyOfSameClocks: a clock was set, its resolution changed, or the
-        /// server corrected it. SkewUncertaintyAfterStep: after a large step, another machine may provide the control clock.
+        /// Standard deviations of the change of the skew, dimensionless. SkewUncertaintyOfSameClocks: the resolution of a clock changed, or the server
+        /// corrected it. SkewUncertaintyAfterStep: another machine may provide the control clock, or a small step may be the start of a slew.
         /// SkewUncertaintyAfterSilence: after a long time without exchanges, the headset may have slept and cooled down.
         /// </summary>
         const double SkewUncertaintyOfSameClocks = 1e-6, SkewUncertaintyAfterStep = 50e-6, SkewUncertaintyAfterSilence = 5e-6;
@@ -135,10 +135,7 @@ namespace Nowpose.Sync
                 case ClockChange.ServerCorrection:
                     Restart(exchange, SkewUncertaintyOfSameClocks, stepped: false);
                     return SyncVerdict.Consistent;
-                case ClockChange.SmallStep:
-                    Restart(exchange, SkewUncertaintyOfSameClocks, stepped: true);
-                    return SyncVerdict.Step;
-                case ClockChange.LargeStep:
+                case ClockChange.Step:
                     Restart(exchange, SkewUncertaintyAfterStep, stepped: true);
                     return SyncVerdict.Step;
                 default:

@@ -1,3 +1,5 @@
+using System;
+using System.Linq;
 using Nowpose.Simulation;
 using Nowpose.Sync.Envelope;
 using NUnit.Framework;
@@ -24,6 +26,19 @@ namespace Nowpose.Tests.Core.Sync
                 var run = Slewed("lan", ppm, seed);
 
                 Assert.That(run.PercentileMs(300, 1), Is.LessThan(0.05), "seed " + seed);
+            }
+        }
+
+        /// <summary>The start of the slew looks like a small step, after which the estimate must not retain the earlier skew.</summary>
+        [Test]
+        public void Error_HalfAMinuteAfterTheStartOfASlew_IsSmallAgain()
+        {
+            for (var seed = FirstSeed; seed < FirstSeed + Seeds; seed++)
+            {
+                var run = Slewed("wifi", 100, seed);
+
+                var errors = run.Instants.Where(i => i.At >= 150 && i.At < 180).Select(i => Math.Abs(i.ErrorMs));
+                Assert.That(errors.Max(), Is.LessThan(0.3), "seed " + seed);
             }
         }
 
