@@ -10,7 +10,10 @@ namespace Nowpose.Sync
     /// </summary>
     sealed class ClockStepDetector
     {
-        /// <summary>Number of consecutive exchanges that must contradict earlier exchanges and agree with each other to indicate a change.</summary>
+        /// <summary>
+        /// Number of exchanges that must contradict earlier exchanges and agree with each other to indicate a change. Exchanges between them must
+        /// agree with them.
+        /// </summary>
         const int InARow = 3;
 
         /// <summary>
@@ -62,8 +65,11 @@ namespace Nowpose.Sync
                 IsServerCorrection = isExplained;
                 return Suspect(exchange);
             }
-            ForgetSuspects();
+            // A long round-trip time can hide a step: an exchange that allows for the suspected step does not refute it. If the server corrects its
+            // clock, exchanges contradict earlier exchanges more often, so only consecutive exchanges count.
+            if (exchange.ServerErrorBound > _margin || !AgreesWithSuspects(exchange)) ForgetSuspects();
             if (!_shift.Judge(exchange, line, envelope)) return ClockChange.None;
+            ForgetSuspects();
             _suspects.AddRange(_shift.Since);
             return Suspicion > envelope.MaxServerErrorBound() + exchange.ServerErrorBound ? ClockChange.Step : ClockChange.ServerCorrection;
         }

@@ -192,7 +192,7 @@ namespace Nowpose.Sync
             var error = EstimatedError(line, proven) + _detector.Suspicion;
             _estimate = new Estimate(
                 line, StateOf(line, error, exchange.ServerSynchronised), proven + _detector.Suspicion, error, exchange.RoundTripTime,
-                exchange.Resolution, _estimate.Steps + (stepped ? 1 : 0), _detector.Suspicion > TimeSpan.Zero);
+                exchange.Resolution, _estimate.Steps + (stepped ? 1 : 0), _detector.Suspects.Count > 0 || _detector.Suspicion > TimeSpan.Zero);
         }
 
         TimeSpan EstimatedError(in ClockLine line, TimeSpan proven)

@@ -182,6 +182,25 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
+        public void IsStepSuspected_AfterAContradiction_RemainsUntilAnExchangeRefutesTheStep()
+        {
+            var run = NewRun();
+            var link = new SimulatedLink(NetworkProfile.Lan, 7, 20);
+            run.Run(link, 0, 20);
+            bool IsSuspectedAfter(double at, double stepMs, double longerMs)
+            {
+                (link.Step, link.LongerUpMs, link.LongerDownMs) = (Lengths.Ms(stepMs), longerMs, longerMs);
+                link.TryExchange(HeadsetTime.FromSeconds(at), out var exchange);
+                run.Clock.Add(exchange, out _);
+                return run.Clock.IsStepSuspected;
+            }
+
+            Assert.That(IsSuspectedAfter(20, stepMs: 20, longerMs: 0), Is.True);
+            Assert.That(IsSuspectedAfter(20.2, stepMs: 0, longerMs: 50), Is.True, "the round-trip time hides the step");
+            Assert.That(IsSuspectedAfter(20.4, stepMs: 0, longerMs: 0), Is.False);
+        }
+
+        [Test]
         public void Add_NotNewerThanTheLast_IsDroppedWithTheReason()
         {
             var clock = new ClockSynchroniser(ClockEstimators.Create(_estimator), ClockSettings.Default);
