@@ -9,8 +9,8 @@ namespace Nowpose.Sync
     /// <remarks>
     /// Control time advances at 0.994 to 1.006 times the rate of headset time while the clock is synchronised, at 0.949 to 1.051 times while
     /// it is coarse, and at 0.5 to 1.5 times before that. Except for a step of a clock, it never stops or goes back. The state is converging
-    /// until this clock has caught up with the first usable estimate, because a pose is not current while the clock is still tens of
-    /// milliseconds away from the estimate.
+    /// until this clock has caught up with the first usable estimate, and while it catches up with an estimate that is more than 10 ms away, for
+    /// example after a time without exchanges, because a pose is not current while the clock is tens of milliseconds away from the estimate.
     /// </remarks>
     public sealed class DisplayClock
     {
@@ -29,6 +29,9 @@ namespace Nowpose.Sync
         /// Maximum rate of correction while the clock is converging, in s/s, because the first offsets may be wrong by tens of milliseconds.
         /// </summary>
         public const double ConvergingSlewRate = 0.5;
+
+        /// <summary>Maximum correction during which a pose counts as current.</summary>
+        static readonly TimeSpan MaxUsableCorrection = ClockSettings.Default.CoarseError;
 
         ClockModel _shown;
         HeadsetTime _at;
@@ -56,11 +59,11 @@ namespace Nowpose.Sync
             if (now < _at) return _shown;
 
             var passed = now - _at;
-            _isCatchingUp |= estimate.State == ClockState.Converging;
-            var allowed = (long)(passed.Ticks * RateOf(_isCatchingUp ? ClockState.Converging : estimate.State));
             // The change of the offset due to the skew does not count as a correction.
             var carried = _shown.OffsetAt(_at) + new TimeSpan((long)Math.Round(passed.Ticks * skew));
             var correction = (estimate.OffsetAt(now) - carried).Ticks;
+            _isCatchingUp |= estimate.State == ClockState.Converging || Math.Abs(correction) > MaxUsableCorrection.Ticks;
+            var allowed = (long)(passed.Ticks * RateOf(_isCatchingUp ? ClockState.Converging : estimate.State));
             var taken = Math.Max(-allowed, Math.Min(allowed, correction));
             var left = new TimeSpan(Math.Abs(correction - taken));
             _isCatchingUp &= estimate.State == ClockState.Converging || left > TimeSpan.Zero;

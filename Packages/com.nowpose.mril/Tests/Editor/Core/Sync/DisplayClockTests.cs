@@ -94,6 +94,21 @@ namespace Nowpose.Tests.Core.Sync
             Assert.That(ShownMs(clock, better, 0.032), Is.EqualTo(correctionMs).Within(1e-3));
         }
 
+        // The estimate is coarse from the first exchange after a silence on, but the displayed clock is not accurate yet.
+        [Test]
+        public void Follow_LargeCorrectionOfACoarseClock_IsConvergingUntilItIsApplied()
+        {
+            var clock = new DisplayClock();
+            clock.Follow(Model(0, ClockState.Coarse), HeadsetTime.FromSeconds(0));
+
+            var first = clock.Follow(Model(20, ClockState.Coarse), HeadsetTime.FromSeconds(0.01));
+            var last = clock.Follow(Model(20, ClockState.Coarse), HeadsetTime.FromSeconds(0.06));
+
+            Assert.That(first.State, Is.EqualTo(ClockState.Converging));
+            Assert.That(last.State, Is.EqualTo(ClockState.Coarse));
+            Assert.That(last.ReferenceOffset.HeadsetMinusControl, Is.EqualTo(Lengths.Ms(20)));
+        }
+
         [Test]
         public void Follow_ClockStep_IsAppliedImmediately()
         {
