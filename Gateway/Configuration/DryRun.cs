@@ -38,8 +38,7 @@ static class DryRun
     {
         // Each change writes a new file, also if the list exists.
         RequireRoom("--pairing", path);
-        var paired = HeadsetFile.Load(path);
-        findings.Good("pairing", File.Exists(path) ? $"{path} ({paired.Count} headsets)" : $"{path} (would be created)");
+        findings.Good("pairing", File.Exists(path) ? $"{path} ({HeadsetFile.Load(path).Count} headsets)" : $"{path} (would be created)");
     }
 
     public static void Recordings(string folder, Findings findings)

@@ -26,7 +26,7 @@ static class HeadsetFile
         return Load(path);
     });
 
-    /// <summary>Reads the file. Returns an empty list if it does not exist.</summary>
+    /// <summary>Reads the file.</summary>
     /// <exception cref="InputException">The file cannot be read, or a line is invalid.</exception>
     public static IReadOnlyList<PairedHeadset> Load(string path)
     {
@@ -39,7 +39,7 @@ static class HeadsetFile
     /// <exception cref="InputException">The file cannot be read.</exception>
     public static IReadOnlyList<PairedHeadset> Load(string path, out string fault)
     {
-        var text = Guarded(path, () => File.Exists(path) ? Text(path) : "");
+        var text = Guarded(path, () => Text(path));
         return Parse(path, text.Split('\n'), out fault);
     }
 

@@ -66,6 +66,21 @@ public sealed class PairedHeadsetsTests
         Assert.That(gateway.Log.Count(line => line.StartsWith(fault, StringComparison.Ordinal)), Is.EqualTo(1));
     }
 
+    [TestCase(false)]
+    [TestCase(true)]
+    public async Task List_UnreadableWhileRunning_IsLoggedAndThePreviousListIsUsed(bool isFolder)
+    {
+        await using var gateway = await PairingGateway.StartAsync();
+        var own = (await gateway.ExchangeAsync((await gateway.ShownAsync()).Token)).Token;
+        await RosbridgeStatusAsync(gateway, own);
+
+        File.Delete(gateway.ListPath);
+        if (isFolder) Directory.CreateDirectory(gateway.ListPath);
+
+        Assert.That(await RosbridgeStatusAsync(gateway, own), Is.EqualTo(HttpStatusCode.SwitchingProtocols));
+        Assert.That(gateway.Log.Count(line => line.StartsWith(gateway.ListPath, StringComparison.Ordinal)), Is.EqualTo(1));
+    }
+
     [Test]
     public async Task Exchange_ListCannotBeWritten_FailsAndTheCodeStaysValid()
     {
