@@ -158,6 +158,18 @@ describe('the shown state', () => {
     assert.equal(await noteOf(page, 'belt'), null, 'the note disappears with its reason');
   });
 
+  it('has all columns within the table if a name is as long as allowed', async () => {
+    const name = 'W'.repeat(128);
+    gateway.state.sources[0].joints = [gateway.state.joints[0].name = gateway.state.headsets[0].name = name];
+    gateway.state.frames = [{ name, parent: 'world', source: 'plc', state: 'live', age_s: 0.1, reason: '' }];
+    const page = await open();
+
+    for (const table of ['#plants .table >> nth=0', '#plants .table >> nth=2', '#headsets .table', '#cell-objects .table >> nth=0', '#budget .table']) {
+      const [content, visible] = await page.locator(table).evaluate(box => [box.scrollWidth, box.clientWidth]);
+      assert.ok(content <= visible, `${table}: ${content} > ${visible}`);
+    }
+  });
+
   it('contains no number for an unknown value', async () => {
     Object.assign(gateway.state.clock, { state: 'unsynchronised', estimated_error_us: null, error_bound_us: null });
     Object.assign(gateway.state.plant_clocks[1], {
