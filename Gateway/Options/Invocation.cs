@@ -77,7 +77,7 @@ public static class Invocation
         return result;
     }
 
-    // The library takes an option that follows as the value, which only --name=--value should mean.
+    // The library takes an option that follows, even an unknown one, as the value, which only --name=--value should mean.
     static string OptionWithoutValue(Command root, string[] args)
     {
         Option[] options = [.. root.Parse(args).CommandResult.Command.Options, .. root.Options.Where(option => option.Recursive)];
@@ -85,8 +85,9 @@ public static class Invocation
         {
             if (Find(args[i]) is not { Arity.MinimumNumberOfValues: > 0 }) continue;
             var name = NameIn(args[i]);
-            var hasValue = name.Length == args[i].Length ? i + 1 < args.Length && Find(args[i + 1]) == null : args[i].Length > name.Length + 1;
-            if (!hasValue) return name;
+            var isJoined = name.Length < args[i].Length;
+            var value = isJoined ? args[i][(name.Length + 1)..] : args.ElementAtOrDefault(i + 1) ?? "";
+            if (value.Length == 0 || (!isJoined && (value.StartsWith("--", StringComparison.Ordinal) || Find(value) != null))) return name;
         }
 
         return null;

@@ -37,6 +37,8 @@ public partial class CommandLineTests
     }
 
     [TestCase("demo --out --seconds 5", "--out")]
+    [TestCase("demo --out --bogus", "--out")]
+    [TestCase("headset --namespace ", "--namespace")]
     [TestCase("calibrate simulate --pictures 2 --out --check", "--out")]
     [TestCase("calibrate range x.csv --device --json", "--device")]
     [TestCase("headset --name --json", "--name")]

@@ -271,14 +271,15 @@ public class HeadsetVerbTests
         return file;
     }
 
-    [TestCase("/nowhere/token")]
-    [TestCase("")]
-    public async Task Headset_TokenFileMissing_Fails(string path)
+    [Test]
+    public async Task Headset_TokenFileMissing_Fails()
     {
-        var run = await CliRun.OfAsync("headset", "--token-file", path);
+        const string Missing = "/nowhere/token";
+
+        var run = await CliRun.OfAsync("headset", "--token-file", Missing);
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors, Does.StartWith($"nowpose: --token-file: {path}: cannot be read"));
+        Assert.That(run.Errors, Does.StartWith($"nowpose: --token-file: {Missing}: cannot be read"));
     }
 
     static Task<CliRun> RunAsync(GatewayServer gateway, params string[] more) => CliRun.OfAsync(["headset", .. Ports(gateway), .. more]);

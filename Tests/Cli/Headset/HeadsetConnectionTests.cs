@@ -13,7 +13,7 @@ public class HeadsetConnectionTests
     static readonly string[][] Invalid =
     [
         ["--pin", "x", CertificateMessages.PinInvalid("x")],
-        ["--name", "", ConnectionMessages.HeadsetName(0, ProtocolLimits.NameLength)],
+        ["--name", new string('x', ProtocolLimits.NameLength + 1), ConnectionMessages.HeadsetName(ProtocolLimits.NameLength + 1, ProtocolLimits.NameLength)],
         ["--host", "a b", ConnectionMessages.NotAHost("a b")],
     ];
 

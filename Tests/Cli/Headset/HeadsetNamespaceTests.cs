@@ -79,7 +79,6 @@ public class HeadsetNamespaceTests
 
     [TestCase("1arm")]
     [TestCase("arm/1")]
-    [TestCase("")]
     public async Task Namespace_Invalid_Fails(string name)
     {
         var run = await CliRun.OfAsync("headset", "--namespace", name);

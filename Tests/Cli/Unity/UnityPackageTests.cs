@@ -52,7 +52,6 @@ public class UnityPackageTests
     static readonly string[][] Missing =
     [
         ["https://github.com/OWNER/nowpose.git", UnityPackageMessages.Owner],
-        ["", "the path is empty"],
         ["no-such-folder", UnityPackageMessages.NotAnAddress("no-such-folder", "com.nowpose.mril")],
         ["file:../nowhere", UnityPackageMessages.NotAnAddress("file:../nowhere", "com.nowpose.mril")],
     ];
