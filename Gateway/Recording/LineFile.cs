@@ -16,7 +16,7 @@ sealed class LineFile : Stream
     readonly byte[] _buffer = new byte[BufferBytes];
     int _length;
     long _lines, _waiting;
-    bool _hasFailed;
+    long _keptBytes = -1;
 
     /// <param name="disk">The unbuffered file. It is disposed with this object.</param>
     public LineFile(Stream disk) => _disk = disk;
@@ -48,7 +48,10 @@ sealed class LineFile : Stream
     }
 
     /// <summary>Number of records written. Includes buffered records until a write fails. Thread-safe.</summary>
-    public long Records => Interlocked.Read(ref _lines) + (Volatile.Read(ref _hasFailed) ? 0 : Interlocked.Read(ref _waiting));
+    public long Records => Interlocked.Read(ref _lines) + (KeptBytes != null ? 0 : Interlocked.Read(ref _waiting));
+
+    /// <summary>Size of the complete lines that are on the disk after a write has failed; null while none has failed. Thread-safe.</summary>
+    public long? KeptBytes => Interlocked.Read(ref _keptBytes) is >= 0 and var bytes ? bytes : null;
 
     public override bool CanRead => false;
     public override bool CanSeek => false;
@@ -89,7 +92,7 @@ sealed class LineFile : Stream
     {
         try
         {
-            if (disposing && !_hasFailed) Flush();
+            if (disposing && KeptBytes == null) Flush();
         }
         finally
         {
@@ -107,8 +110,9 @@ sealed class LineFile : Stream
         }
         catch
         {
-            Volatile.Write(ref _hasFailed, true);
-            Interlocked.Add(ref _lines, RecordsIn(lines[..TruncateToWholeLines(before, lines)]));
+            var kept = TruncateToWholeLines(before, lines);
+            Interlocked.Exchange(ref _keptBytes, before + kept);
+            Interlocked.Add(ref _lines, RecordsIn(lines[..kept]));
             throw;
         }
 

@@ -59,7 +59,10 @@ sealed class RecordedFile
 
     /// <summary>The error that ended the recording; null if there is none.</summary>
     public string Problem => _deletion ?? _writer.Problem;
-    public long Bytes => _writer.Written;
+
+    /// <summary>Size of the lines in the file or waiting to be written. Thread-safe.</summary>
+    public long Bytes => IsDeleted ? 0 : _lines?.KeptBytes ?? _writer.Written;
+
     public Task Ended => _writer.Ended;
 
     /// <summary>Number of records in the file or waiting to be written. Thread-safe.</summary>

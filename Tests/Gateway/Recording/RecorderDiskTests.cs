@@ -45,6 +45,7 @@ public class RecorderDiskTests
         var kept = first.Text.Split('\n', StringSplitOptions.RemoveEmptyEntries);
         Assert.That(kept.Select(line => JsonDocument.Parse(line)), Is.All.Not.Null, "all lines are complete");
         Assert.That(status.Lines, Is.EqualTo(kept.Length - 1));
+        Assert.That(status.Bytes, Is.EqualTo(first.Text.Length));
         Assert.That(status.Lines + status.Lost, Is.EqualTo(Published + 10 + LinesAtStart));
 
         recorder.SwitchOn();

@@ -133,6 +133,7 @@ public class RecordingsTests
         var recording = state.GetProperty("recording");
         Assert.That(recording.GetProperty("problem").GetString(), Is.EqualTo(RecorderMessages.Deleted));
         Assert.That(recording.GetProperty("lines").GetInt64(), Is.Zero, "no line can be read from a deleted file");
+        Assert.That(recording.GetProperty("bytes").GetInt64(), Is.Zero);
         Assert.That(state.GetProperty("status").GetProperty("level").GetString(), Is.EqualTo("warning"));
         Assert.That(state.GetProperty("status").GetProperty("text").GetString(), Does.EndWith(EventRemedies.RecordAgain));
         gateway.Recorder.SwitchOn();
