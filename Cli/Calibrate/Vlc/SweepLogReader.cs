@@ -64,7 +64,7 @@ static class SweepLogReader
     {
         if (table[4] != device) device = table[4];
         var model = device;
-        var (time, vertices) = (ControlTime.FromNanoseconds(table.Whole(0, "nanoseconds")), (int)Math.Min(table.Whole(1, "vertices"), int.MaxValue));
+        var (time, vertices) = (ControlTime.FromNanoseconds(table.Whole(0, "nanoseconds")), table.Whole(1, "vertices"));
         var (renderMs, displayHz) = (table.NumberOrNull(2, "milliseconds"), table.NumberOrNull(5, "hertz") ?? double.NaN);
         return InputPlace.In(table.Place, () => new SweepRow(time, vertices, renderMs, SourceOf(table[3]), model, displayHz));
     }

@@ -97,6 +97,7 @@ public sealed class SweepLogReaderTests
 
     [TestCaseSource(nameof(OtherTables))]
     [TestCase(Header + "5.5,0,4,display_gpu_time,x,60\n", "sweep.csv:2: control_ns: '5.5'")]
+    [TestCase(Header + "5,0,,,x,60\n5,-4294967291,4,display_gpu_time,x,60\n", "sweep.csv:3: vertices: -4294967291")]
     [TestCase(Header + "5,0,,,x,60\n5,2000001,4,display_gpu_time,x,60\n", "sweep.csv:3: vertices: 2000001")]
     [TestCase("# future: 5\n" + Header + "5,0,,,x,60\n5,0,0,display_gpu_time,x,60\n", "sweep.csv:4: render_ms: 0 ms")]
     [TestCase(Header + "5,0,0,display_gpu_time,x,60\n", "sweep.csv:2: render_ms: 0 ms")]

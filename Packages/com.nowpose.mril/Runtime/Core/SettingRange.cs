@@ -20,7 +20,7 @@ namespace Nowpose
         public static string Suffix(string unit) => unit.Length == 0 ? "" : " " + unit;
 
         /// <inheritdoc cref="Require"/>
-        public static int RequireCount(int value, int min, int max, string name) => (int)Require(value, min, max, name, "");
+        public static int RequireCount(long value, int min, int max, string name) => (int)Require(value, min, max, name, "");
 
         /// <inheritdoc cref="Require"/>
         public static TimeSpan RequireMs(double ms, double min, double max, string name) =>

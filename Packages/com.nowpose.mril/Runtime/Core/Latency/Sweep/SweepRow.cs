@@ -12,13 +12,12 @@ namespace Nowpose.Latency.Sweep
         /// <param name="device">Device name as in a latency profile; empty when unknown.</param>
         /// <param name="displayHz">Display rate; NaN when unknown.</param>
         /// <exception cref="InputException">A value is out of range, or a render time has no source.</exception>
-        public SweepRow(ControlTime frameStart, int vertices, double? renderMs, RenderTimeSourceKind source, string device, double displayHz)
+        public SweepRow(ControlTime frameStart, long vertices, double? renderMs, RenderTimeSourceKind source, string device, double displayHz)
         {
-            SettingRange.RequireCount(vertices, 0, SweepPlan.MaxVertices, "vertices");
+            Vertices = SettingRange.RequireCount(vertices, 0, SweepPlan.MaxVertices, "vertices");
             if (renderMs is double ms) RequireMeasured(ms, source);
             if (!double.IsNaN(displayHz)) SettingRange.Require(displayHz, 1, 1000, "display rate", "Hz");
             FrameStart = frameStart;
-            Vertices = vertices;
             RenderMs = renderMs;
             Source = source;
             Device = device ?? "";
