@@ -18,8 +18,8 @@ enum Level
 sealed record Condition(
     string Kind, string Which, string What, string Reason, Level Level, bool Blocks = false, DateTimeOffset? Since = null)
 {
-    /// <summary>The fault and its place as one clause.</summary>
-    public string Headline { get => field ?? $"{Kind} {Which} {What}"; init; }
+    /// <summary>The fault and its place as one clause, in one line.</summary>
+    public string Headline { get => OneLine(field ?? $"{Kind} {Which} {What}"); init; }
 
     /// <summary>Instruction for the operator as a sentence; empty if the reason contains it.</summary>
     public string Remedy { get; init; } = "";
@@ -33,16 +33,20 @@ sealed record Condition(
     /// <summary>Identifies the event. Conditions with the same key belong to the same event.</summary>
     public (string, string, string) Key => (Kind, Which, What);
 
+    /// <summary>The fault, its reason and the remedy in one line.</summary>
     public string Text => Compose("");
 
     /// <summary><see cref="Text"/> with the start of the condition.</summary>
     public string TextWithSince => Compose(
         Since is { } since ? $" (since {since.UtcDateTime.ToString("yyyy-MM-dd HH:mm:ss 'UTC'", CultureInfo.InvariantCulture)})" : "");
 
+    // Names and reasons come from clients and can contain line ends.
+    static string OneLine(string text) => InputException.OneLine(text, int.MaxValue);
+
     string Compose(string note)
     {
         var isLast = note.Length == 0 && Remedy.Length == 0;
         var reason = Reason.Length == 0 ? "" : $": {(isLast ? Reason : Reason.TrimEnd('.'))}";
-        return Headline + reason + note + (Remedy.Length == 0 ? "" : $". {Remedy}");
+        return Headline + OneLine(reason) + note + (Remedy.Length == 0 ? "" : $". {Remedy}");
     }
 }

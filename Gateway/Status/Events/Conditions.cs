@@ -99,7 +99,7 @@ sealed class Conditions(
     {
         var isOrphan = frame.State == CellStates.Orphan;
         return new(
-            "frame", InputException.OneLine($"{frame.Name} ({frame.Source})", 2 * ProtocolLimits.NameLength), isOrphan ? EventTexts.IsOrphan : EventTexts.Is(frame.State), frame.Reason, Level.Warning,
+            "frame", $"{frame.Name} ({frame.Source})", isOrphan ? EventTexts.IsOrphan : EventTexts.Is(frame.State), frame.Reason, Level.Warning,
             Since: frame.Since)
         {
             Remedy = isOrphan ? EventRemedies.Parent : IsRefused(frame.State) ? EventRemedies.Values : EventRemedies.Source,
@@ -116,7 +116,7 @@ sealed class Conditions(
         where signal.State == CellStates.Ended || IsRefused(signal.State)
         let isRefused = IsRefused(signal.State)
         select new Condition(
-            "signal", InputException.OneLine($"{signal.Name} ({signal.Source})", 2 * ProtocolLimits.NameLength), isRefused ? EventTexts.IsRefused : EventTexts.HasNoSource, signal.Reason, Level.Warning,
+            "signal", $"{signal.Name} ({signal.Source})", isRefused ? EventTexts.IsRefused : EventTexts.HasNoSource, signal.Reason, Level.Warning,
             Since: signal.Since)
         {
             Remedy = isRefused ? EventRemedies.Values : EventRemedies.Source,

@@ -42,6 +42,16 @@ public class EventListTests
     }
 
     [Test]
+    public void Update_LineEndsInNameAndReason_WritesOneLogLinePerChange()
+    {
+        var condition = Joint("a\nevent 9: b", "c\r\nd\u001b[2K");
+        _events.Update([condition]);
+        _events.Update([]);
+
+        Assert.That(_log.Append(condition.TextWithSince).SelectMany(line => line), Has.None.Matches<char>(char.IsControl));
+    }
+
+    [Test]
     public void Update_ConditionRecurs_AddsANewEvent()
     {
         _events.Update([Joint("a")]);
