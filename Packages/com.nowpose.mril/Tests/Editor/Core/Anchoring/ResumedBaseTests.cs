@@ -1,0 +1,82 @@
+using Nowpose.Anchoring;
+using Nowpose.Kinematics;
+using NUnit.Framework;
+
+namespace Nowpose.Tests.Core.Anchoring
+{
+    /// <summary>Tests a base after standby, when the origin of the device's poses is often elsewhere.</summary>
+    public class ResumedBaseTests
+    {
+        FakeAnchors _anchors;
+        SimulatedMarkers _cell;
+
+        [SetUp]
+        public void Begin()
+        {
+            _anchors = new FakeAnchors();
+            _cell = SimulatedMarkers.Three(1);
+            _cell.Anchors = _anchors;
+        }
+
+        BaseTracker Tracker => _cell.Tracker;
+
+        void Lock() => Assert.That(_cell.RunUntilLocked(3), Is.Not.Null);
+
+        static RigidTransform Shift(double metres, double radians = 0) => RigidTransform.FromXyzRpy(metres, 0, 0, 0, 0, radians);
+
+        [Test]
+        public void Resume_AnchorHeld_IsFollowedHoweverFarItMovesAndConfirmedByTheMarkers()
+        {
+            Lock();
+            _cell.Run(1);
+            (_cell.IsInView, _cell.Head) = (_ => false, null);
+            Tracker.Resume(_cell.Now);
+            _cell.Run(2);
+            Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Locked), "nothing has moved yet");
+
+            _cell.Base = Shift(1.5, 0.6) * _cell.Base;
+            _anchors.Held[0].Pose = _cell.Base;
+            _cell.Run(3);
+
+            Assert.That((Tracker.State, Tracker.IsCorrected), Is.EqualTo((BaseAnchorState.Restored, false)));
+            Assert.That(Tracker.Shown.Value.DistanceTo(_cell.Base), Is.LessThan(1e-4));
+            _cell.IsInView = _ => true;
+            Lock();
+        }
+
+        [Test]
+        public void Resume_LongAgo_AnchorThatJumpsIsNotFollowed()
+        {
+            Lock();
+            Tracker.Resume(_cell.Now);
+            _cell.Run(40);
+
+            _anchors.Held[0].Pose = Shift(1.5) * _cell.Base;
+            _cell.Run(1);
+
+            Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Lost));
+        }
+
+        [TestCase(null)]
+        [TestCase(SpatialAnchorState.Pending)]
+        [TestCase(SpatialAnchorState.Failed)]
+        public void Resume_NoAnchorHoldsTheBase_SearchesForTheMarkersAgain(SpatialAnchorState? state)
+        {
+            if (state == null) _cell.Anchors = null;
+            else _anchors.StateAtFirst = state.Value;
+            Lock();
+            var before = Tracker.Base.Value;
+            (_cell.IsInView, _cell.Head) = (_ => false, null);
+            _cell.Base = Shift(1.5) * _cell.Base;
+
+            Tracker.Resume(_cell.Now);
+            _cell.Run(3);
+
+            Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Searching));
+            Assert.That(Tracker.Shown.Value.DistanceTo(before), Is.EqualTo(0), "the previous pose stays visible");
+            _cell.IsInView = _ => true;
+            Lock();
+            Assert.That(_cell.ErrorAt().Metres, Is.LessThan(1e-3));
+        }
+    }
+}
