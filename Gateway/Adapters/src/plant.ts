@@ -39,6 +39,7 @@ export async function runPlant(configuration: CheckedConfiguration, log: Log, en
   const clock = new OfferedClock(gateway, plant.name, fixed, undefined, coarse => reportCoarse(status, log, coarse));
   const limits = { tolerance: ofMilliseconds(groupMs), oldest: ofMilliseconds(plant.oldest_ms), faultAfterMs: silenceMs(plant.silence) };
   const output = new PlantOutput(configuration, limits, clock, gateway, status);
+  clock.stepped = () => output.clockStepped();
   gateway.watch(output.signals.sender);
   gateway.watch(output.repeater);
   gateway.subscribe(VERSION_TOPIC, ({ data }) => compareVersions(log, data));

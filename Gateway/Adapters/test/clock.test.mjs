@@ -185,6 +185,57 @@ describe('plant clock', () => {
       assert.deepEqual([...observed].filter(coarse => coarse !== null), expected);
     });
 
+  for (const [name, step, pause, expected] of [
+    ['SetBack', -2000n * MS, 0n, 1], ['SetForward', 2000n * MS, 0n, 1], ['ChangedByHalfASecond', -500n * MS, 0n, 0], ['Paused', 0n, 10_000n * MS, 0],
+  ])
+    it(`Stepped_Clock${name}_IsReported${expected === 1 ? 'Once' : 'Never'}`, async () => {
+      let now = 0n, time = T, isPaused = false, steps = 0;
+      const clock = new OfferedClock(link(), 'cell', null, () => now);
+      clock.stepped = () => { steps++; };
+      const pass = length => {
+        now += length;
+        if (!isPaused) time += length;
+      };
+      await clock.attach(async () => {
+        pass(3n * MS);
+        const sent = time;
+        pass(3n * MS);
+        return { received: sent, sent };
+      }, never);
+      const readFor = async length => {
+        for (const end = now + length; now < end;) {
+          pass(200n * MS);
+          await clock.read().catch(() => {});
+        }
+      };
+      await readFor(2000n * MS);
+
+      isPaused = true;
+      await readFor(pause);
+      isPaused = false;
+      time += step;
+      await readFor(2000n * MS);
+
+      assert.equal(steps, expected);
+    });
+
+  it('Stepped_ResponseLateByFourSeconds_IsNotReported', async () => {
+    let now = 0n, delay = 3n * MS, steps = 0;
+    const clock = new OfferedClock(link(), 'cell', MS, () => now);
+    clock.stepped = () => { steps++; };
+    await clock.attach(async () => {
+      const time = T + (now += delay);
+      return { received: time, sent: time };
+    }, never);
+
+    delay = 4000n * MS;
+    await clock.read();
+    delay = 3n * MS;
+    await clock.read();
+
+    assert.equal(steps, 0);
+  });
+
   it('Now_ClockDetached_IsUnknown', async () => {
     const clock = new OfferedClock(link(), 'cell', MS);
     await clock.attach(async () => ({ received: T, sent: T }), never);

@@ -58,9 +58,20 @@ export class SignalOutput {
     for (const value of values) this.#take(value);
   }
 
-  /** Confirms that the signals still have their last values. Excludes the signals whose value indices are in `except`. */
-  hold(except: ReadonlySet<number>): void {
-    for (const i of this.#valid) if (!except.has(i + this.offset)) this.silence.heard(this.signals[i].signal);
+  /**
+   * Confirms that the signals still have their last values. After a step of the control clock, these are sent with the new time.
+   * @param time Control time up to which all changes are known.
+   * @param except Indices of values that have changed, or may have changed.
+   */
+  hold(time: Nanoseconds, except: ReadonlySet<number>): void {
+    for (const i of this.#valid) {
+      if (except.has(i + this.offset)) continue;
+      const { signal } = this.signals[i];
+      // Until the first value after the step, `time` is a stamp of the previous clock.
+      const isRenewed = this.#outdated.has(i) && this.#rules[i].judge(time, this.clock.now) === null;
+      if (isRenewed) this.#send(i, this.sender.valueOf(signal)!, time);
+      this.silence.heard(signal);
+    }
   }
 
   /** Updates the state of signals that have been silent for too long, and publishes signals that waited for the clock. */
@@ -102,12 +113,17 @@ export class SignalOutput {
       const at = stamp === null && isFirst === true ? now : stamp;
       const trouble = this.#rules[i].judge(at, now);
       if (trouble !== null) return this.refuse(index, trouble);
-      // Otherwise, a stamp of the stepped clock could count as late.
-      if (this.#outdated.delete(i)) this.sender.forget(name);
-      this.sender.add(name, number, at!);
+      this.#send(i, number, at!);
     }
     this.#valid.add(i);
     this.status.accept(name);
     this.silence.heard(name);
+  }
+
+  #send(i: number, value: number, stamp: Nanoseconds): void {
+    const { signal } = this.signals[i];
+    // Otherwise, a stamp of the stepped clock could count as late.
+    if (this.#outdated.delete(i)) this.sender.forget(signal);
+    this.sender.add(signal, value, stamp);
   }
 }

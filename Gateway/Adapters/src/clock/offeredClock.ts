@@ -1,6 +1,7 @@
 import { pause } from '../backoff';
 import type { GatewayLink } from '../gateway/link';
 import { monotonicTime, type Nanoseconds, NS_PER_MS, toRosTime } from '../times';
+import { ClockBounds } from './clockBounds';
 import { GatewayClock } from './gatewayClock';
 import { Resolution } from './resolution';
 import { clockMessages } from '../messages/gateway';
@@ -52,12 +53,12 @@ const MEASURE_EVERY: Nanoseconds = 20_000_000_000n;
 export class OfferedClock {
   #read: ReadClock | null = null;
   #resolution = new Resolution();
-  #ahead: Nanoseconds | null = null;
+  readonly #bounds = new ClockBounds();
   #detached = new AbortController();
   #measured: Nanoseconds | null = null;
   #measuring: Promise<void> | null = null;
   readonly #gatewayClock: GatewayClock;
-  /** Called after the gateway's clock, which stamps the values, has stepped or has been replaced by another control clock. */
+  /** Called after the clock that stamps the values has stepped by more than a second, or has been replaced by another control clock. */
   stepped: () => void = () => {};
   /** Aborted when the plant's clock is offered. */
   readonly #offered = new AbortController();
@@ -86,7 +87,8 @@ export class OfferedClock {
 
   /** The approximate current time on the clock that stamps the samples, from its newest readings; null before the first reading. */
   get now(): Nanoseconds | null {
-    if (this.#ahead !== null) return this.counter() + this.#ahead;
+    const { offset } = this.#bounds;
+    if (offset !== null) return this.counter() + offset;
     return this.#offered.signal.aborted ? null : this.#gatewayClock.now;
   }
 
@@ -131,7 +133,7 @@ export class OfferedClock {
   detach(): void {
     this.#detached.abort();
     this.#read = null;
-    this.#ahead = null;
+    this.#bounds.forget();
   }
 
   /**
@@ -198,7 +200,9 @@ export class OfferedClock {
     const reading = await read();
     const heard = this.counter();
     this.#resolution.observe(reading.sent, asked, heard);
-    this.#ahead = (reading.received + reading.sent - asked - heard) / 2n;
+    // A stopped clock falls behind, which is no step.
+    if (this.#resolution.isStopped) this.#bounds.forget();
+    if (this.#bounds.observe(reading.received, reading.sent, asked, heard)) this.stepped();
     return reading;
   }
 }

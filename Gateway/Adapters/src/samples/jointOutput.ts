@@ -96,6 +96,14 @@ export class JointOutput {
     for (const track of this.#tracks) track.restart();
   }
 
+  /** Discards the stamps of the previous control clock. */
+  clockStepped(): void {
+    const { now } = this.clock;
+    for (const track of this.#tracks)
+      if (now === null) track.restart();
+      else track.clockStepped(now);
+  }
+
   /** Counts an unusable value. */
   refuse(joint: number, refusal: Refusal): void {
     this.#tracks[joint].refuse(refusal);

@@ -152,6 +152,12 @@ export class JointTrack {
     this.#motion.restart();
   }
 
+  /** Replaces the stamp of the previous control clock. The joint keeps its position, because the source may not send it again. */
+  clockStepped(now: Nanoseconds): void {
+    if (this.#newest !== null) this.#newest = { ...this.#newest, stamp: now };
+    this.#motion.restart();
+  }
+
   /**
    * Takes a first value, whose stamp may be old. If it is the one with which the data of the joint have ended, the joint has the fault of this end again,
    * because the value is no longer invalid or missing. Otherwise, the value is published when the joint is known to be at rest: if the stamps come from a

@@ -70,7 +70,7 @@ export class PlantOutput {
   hold(time: Nanoseconds, silence: Nanoseconds, except: ReadonlySet<number> = new Set()): void {
     this.joints.hold(time, silence, except);
     this.frames.hold(time, silence, except);
-    this.signals.hold(except);
+    this.signals.hold(time, except);
   }
 
   /**
@@ -92,9 +92,9 @@ export class PlantOutput {
     this.repeater.forget();
   }
 
-  /** Prepares for values with stamps of a control clock that has stepped. The source sends values again only if it has kept them. */
+  /** Prepares for values with stamps of a control clock that has stepped. The source may not send its values again. */
   clockStepped(): void {
-    this.joints.restart();
+    this.joints.clockStepped();
     this.frames.clockStepped();
     this.signals.clockStepped();
     this.repeater.forget();
