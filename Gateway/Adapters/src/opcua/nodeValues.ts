@@ -17,7 +17,8 @@ const severity = (status: StatusCode): number => status.value >>> 30;
 
 export const isGood = (status: StatusCode): boolean => severity(status) === 0;
 
-const GONE = ['BadNodeIdUnknown', 'BadNodeIdInvalid'];
+/** A node that is not a variable, such as an object, has no value. */
+const GONE = ['BadNodeIdUnknown', 'BadNodeIdInvalid', 'BadAttributeIdInvalid'];
 
 /** Reasons for a node without values: the server does not have the node, or it does not monitor the node for another reason. */
 export const NODE_GONE = 'node-gone';

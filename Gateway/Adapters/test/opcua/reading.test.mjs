@@ -166,6 +166,19 @@ describe('reading over OPC UA', () => {
     assert.equal(bridge.status.level, 2);
   });
 
+  it('Node_ThatIsNoVariable_KeepsTheReasonWithItsLine', async t => {
+    const { states, path, bridge } = await adapterFor(t, server, OPEN, [JOINTS[0], { joint: 'z', node: 'ns=0;i=2253' }]);
+    const text = nodeMessages.unknown(`${path}, line 12: joints[1].node`, 'ns=0;i=2253', 'BadAttributeIdInvalid');
+
+    await until(() => bridge.joint('z')?.reason === text, () => bridge.state?.['joint/z']);
+    // The node is read every 0.5 s, and the diagnostics are sent once a second.
+    await states(200);
+
+    assert.equal(bridge.joint('z').reason, text);
+    const { 'reason/z': word, 'refused/node-gone': gone, 'refused/status-bad': bad } = bridge.state;
+    assert.deepEqual([word, gone, bad], ['node-gone', '1', undefined]);
+  });
+
   it('Node_WithNamespaceUri_IsFound', async t => {
     const uri = server.namespaces()[1];
     const { states } = await adapterFor(t, server, [...OPEN, `time: {node: "nsu=${uri};s=time_ns"}`], [
