@@ -69,7 +69,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     const other = `sha256/${'A'.repeat(43)}=`;
     const run = await adapter(t, bridge.url, { env: { NOWPOSE_TOKEN: TOKEN, NOWPOSE_PIN: other } });
 
-    await run.said(gatewayMessages.otherPin(pin));
+    await run.said(gatewayMessages.otherPin('gateway', pin));
 
     assert.equal(bridge.headers.length, 0);
   });
@@ -78,7 +78,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     const bridge = await RosbridgeDouble.start(t, { tls: tls() });
     const run = await adapter(t, bridge.url, { env: { NOWPOSE_TOKEN: TOKEN } });
 
-    await run.said(like(gatewayMessages.notTrusted(ANY)));
+    await run.said(like(gatewayMessages.notTrusted('gateway', ANY)));
 
     assert.equal(bridge.headers.length, 0);
   });

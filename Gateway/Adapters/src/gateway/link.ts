@@ -1,11 +1,10 @@
-import { Agent } from 'node:https';
 import WebSocket, { type RawData } from 'ws';
 import { reconnecting } from '../backoff';
 import type { GatewayAddress } from '../configuration/configuration';
 import type { Log } from '../log';
 import { KeptMessages, REFUSED_EVERY_MS } from './keptMessages';
 import { advertisement, parsed, publication, subscription, text, typeOf } from './messages';
-import { PinnedAgent } from './pin';
+import { agentFor } from './pin';
 import { inWords, refusalInWords } from './reasons';
 import { SendQueue } from './sendQueue';
 import { StatusMessages } from './statusMessages';
@@ -167,14 +166,14 @@ export class GatewayLink {
   #connect(stop: AbortSignal): Promise<string> {
     const { url, token, pin } = this.address;
     const socket = new WebSocket(url, {
-      agent: url.startsWith('wss:') ? (pin === null ? new Agent({ keepAlive: false, minVersion: 'TLSv1.2' }) : new PinnedAgent(pin)) : undefined,
+      agent: url.startsWith('wss:') ? agentFor(pin, this.name) : undefined,
       headers: token === null ? {} : { Authorization: `Bearer ${token}` },
       handshakeTimeout: HANDSHAKE_MS,
       maxPayload: MAX_MESSAGE,
       perMessageDeflate: false,
     });
     return new Promise(resolve => {
-      let reason = 'connection closed';
+      let reason = gatewayMessages.closed;
       let heard = performance.now();
       const leave = (): void => (socket.readyState === WebSocket.OPEN ? socket.close(1000) : socket.terminate());
       const beat = setInterval(() => {
@@ -198,12 +197,12 @@ export class GatewayLink {
       socket.on('ping', hear).on('pong', hear).on('message', hear);
       socket.on('message', data => this.#hear(data));
       socket.on('unexpected-response', (request, response) => {
-        reason = refusalInWords(response.statusCode!);
+        reason = refusalInWords(response.statusCode!, this.name);
         request.destroy();
         socket.terminate();
       });
       socket.on('error', error => {
-        reason = reason === 'connection closed' ? inWords(error) : reason;
+        if (reason === gatewayMessages.closed) reason = inWords(error, this.name, this.#socket === socket);
       });
       socket.on('close', code => {
         clearInterval(beat);

@@ -7,12 +7,18 @@ import { gatewayMessages } from '../messages/gateway';
 /** Gets the pin of a public key: its SHA-256 in the form of RFC 7469. */
 const pinOf = (publicKeyInfo: Buffer): string => `sha256/${createHash('sha256').update(publicKeyInfo).digest('base64')}`;
 
+/** The error for a server that does not have the pinned key. */
+export class WrongKeyError extends Error {}
+
 /**
  * Connects only to a server with the pinned key. Another server receives nothing beyond the TLS handshake.
  * @remarks Checks the key only, not the name, issuer and dates of the certificate.
  */
-export class PinnedAgent extends Agent {
-  constructor(readonly pin: string) {
+class PinnedAgent extends Agent {
+  constructor(
+    readonly pin: string,
+    readonly name: string,
+  ) {
     super({ keepAlive: false, maxCachedSessions: 0 });
   }
 
@@ -23,20 +29,28 @@ export class PinnedAgent extends Agent {
     socket.once('error', fail);
     socket.once('secureConnect', () => {
       socket.off('error', fail);
-      const problem = pinProblem(socket, this.pin);
+      const problem = pinProblem(socket, this.pin, this.name);
       if (problem === null) return ready(null, socket);
       socket.destroy();
-      ready(new Error(problem));
+      ready(new WrongKeyError(problem));
     });
     return undefined;
   }
 }
 
+/**
+ * Creates the agent of a TLS connection.
+ * @param pin The pin of the server's key; null if this machine must trust its certificate.
+ * @param name Name of the server, for the message.
+ */
+export const agentFor = (pin: string | null, name: string): Agent =>
+  pin === null ? new Agent({ keepAlive: false, minVersion: 'TLSv1.2' }) : new PinnedAgent(pin, name);
+
 /** Gets the reason for refusing a server without the pinned key; null if the server has this key. */
-export function pinProblem(socket: TLSSocket, pin: string): string | null {
+export function pinProblem(socket: TLSSocket, pin: string, name = 'gateway'): string | null {
   const found = socket.getPeerX509Certificate()?.publicKey.export({ type: 'spki', format: 'der' });
   if (found === undefined) return gatewayMessages.noCertificate;
-  return isSame(pinOf(found), pin) ? null : gatewayMessages.otherPin(pinOf(found));
+  return isSame(pinOf(found), pin) ? null : gatewayMessages.otherPin(name, pinOf(found));
 }
 
 const isSame = (a: string, b: string): boolean => a.length === b.length && timingSafeEqual(Buffer.from(a), Buffer.from(b));

@@ -1,16 +1,28 @@
 import { gatewayMessages } from '../messages/gateway';
+import { WrongKeyError } from './pin';
 
 /** HTTP statuses with which a gateway refuses a token: the second one after many wrong tokens within a minute. */
 const REFUSED_TOKEN = [401, 429];
 
-/** Gets the reason why a connection failed, with the remedy. */
-export function inWords(error: Error): string {
+const RESET = ['ECONNRESET', 'EPIPE'];
+
+/**
+ * Gets the reason why a connection failed, with the remedy.
+ * @param name Name of the gateway or rosbridge.
+ * @param wasOpen Whether the connection was established.
+ */
+export function inWords(error: Error, name: string, wasOpen: boolean): string {
   const code = (error as NodeJS.ErrnoException).code;
+  if (wasOpen) return RESET.includes(code!) ? gatewayMessages.closed : error.message;
   if (code === 'ECONNREFUSED') return gatewayMessages.refuses;
-  if (code?.includes('CERT') || code?.includes('SELF_SIGNED') || code?.includes('UNABLE_TO')) return gatewayMessages.notTrusted(code);
-  return error.message;
+  if (code === 'ENOTFOUND' || code === 'EAI_AGAIN') return gatewayMessages.unknownHost(name);
+  if (code?.includes('CERT') || code?.includes('SELF_SIGNED') || code?.includes('UNABLE_TO')) return gatewayMessages.notTrusted(name, code);
+  if (error instanceof WrongKeyError) return error.message;
+  return gatewayMessages.noServer(name, code ?? error.message);
 }
 
-/** Gets the reason why a gateway refused a connection with this HTTP status. */
-export const refusalInWords = (status: number): string =>
-  REFUSED_TOKEN.includes(status) ? gatewayMessages.noToken(status) : `HTTP status ${status}`;
+/** Gets the reason why a server refused a connection with this HTTP status. */
+export function refusalInWords(status: number, name: string): string {
+  if (name !== 'gateway') return gatewayMessages.noServer(name, `HTTP status ${status}`);
+  return REFUSED_TOKEN.includes(status) ? gatewayMessages.noToken(status) : `HTTP status ${status}`;
+}

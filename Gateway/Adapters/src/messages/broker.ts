@@ -22,6 +22,12 @@ export const brokerMessages = {
     `the broker refuses to let this bridge read ${topic}/…, so signals and objects of an earlier run may stay there; give its user the right to read`,
   refuses: (endpoint: string) => `${endpoint} refuses the connection; check that the broker is running, and check the port in plant.endpoint`,
   loginRefused: (endpoint: string) => `${endpoint} refuses the login; check plant.user, and the user's rights on the broker`,
+  unknownHost: (endpoint: string) => `the host name in ${endpoint} is unknown; correct plant.endpoint`,
+  noMqtt5: (endpoint: string) => `${endpoint} does not support MQTT 5; enable it in the broker, or update the broker`,
+  noBroker: (endpoint: string, problem: string) =>
+    `no MQTT broker responds at ${endpoint} (${problem}); check plant.endpoint: the port, and whether the broker uses mqtt:// or mqtts://`,
+  otherHost: (endpoint: string) =>
+    `the broker's certificate is not valid for the host name in ${endpoint}; enter a name or address of the certificate in plant.endpoint`,
   notTrusted: (code: string) =>
     `the broker's certificate is not trusted (${code}); set plant.authority_file to the certificate of the authority that issued it`,
   noPublisher: (topic: string) => `no client publishes ${topic} on the broker yet; check that the bridge with direction: publish is running`,

@@ -1,4 +1,10 @@
-/** Messages about the connection to a gateway and about the versions of gateway and adapter. */
+/** Gets the entry of the configuration with the address or the pin of a gateway or of a robot's rosbridge. */
+const entryOf = (name: string, part: 'url' | 'pin'): string => {
+  if (name === 'gateway') return `gateway.${part}`;
+  return part === 'pin' ? 'plant.pin' : 'plant.endpoint';
+};
+
+/** Messages about the connection to a gateway or rosbridge, given by its name, and about the versions of gateway and adapter. */
 export const gatewayMessages = {
   notConnected: (name: string) => `${name} is not connected`,
   notAnswered: (service: string, seconds: number) => `${service} did not respond within ${seconds} s`,
@@ -8,10 +14,15 @@ export const gatewayMessages = {
   measuring: (name: string) => `${name} is measuring this clock; it forwards positions after the measurement`,
   noService: (service: string) => `this adapter has no service ${service}`,
   refuses: 'the connection was refused; check the port, and check that the program is running there',
-  notTrusted: (code: string) => `the certificate is not trusted (${code}); set gateway.pin to the pin that the gateway prints`,
+  closed: 'connection closed',
+  noServer: (name: string, problem: string) =>
+    `no ${name} responds (${problem}); check ${entryOf(name, 'url')}: the port, and whether the server uses ws:// or wss://`,
+  unknownHost: (name: string) => `the host name is unknown; correct ${entryOf(name, 'url')}`,
+  notTrusted: (name: string, code: string) =>
+    `the certificate is not trusted (${code}); set ${entryOf(name, 'pin')} to the pin of its key${name === 'gateway' ? ', which it prints' : ''}`,
   noCertificate: 'the gateway sent no certificate; start it with --tls or --certificate',
-  otherPin: (pin: string) =>
-    `the gateway's pin is ${pin}, but the configuration contains another; set the pin to this value only if the gateway's key was renewed`,
+  otherPin: (name: string, pin: string) =>
+    `the pin of the ${name} is ${pin}, but the configuration contains another; set the pin to this value only if its key was renewed`,
   versionFits: (version: string) => `the gateway's version ${version} is compatible with this adapter`,
   otherVersion: (version: string, own: string) =>
     `the gateway has version ${version}, but this adapter has version ${own}; install the same version of both`,

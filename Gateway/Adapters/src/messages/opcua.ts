@@ -49,6 +49,7 @@ export const opcuaMessages = {
   subscriptionStatus: (status: string) => `the server ended the subscription (${status})`,
   silent: (seconds: number) => `nothing was published for ${seconds} s`,
   notReadable: (reason: string) => `the nodes cannot be read: ${reason}`,
+  noResponse: 'the server does not respond',
   rareTime: 'the server rarely updates CurrentTime, so its clock is read from the time stamps of its responses',
   noTimeOfAnswer: "the server's response has no time stamp",
   notAllowed: (request: string) => `${request} is not allowed; the adapter only reads`,

@@ -72,7 +72,7 @@ export class MqttLink {
     this.#wasOpen = false;
     const client = connect(this.broker.endpoint, this.#options());
     return new Promise(resolve => {
-      let reason = brokerMessages.closed;
+      let failure: Error | null = null;
       const leave = (): void => {
         if (client.connected) this.events.leaving?.();
         client.end(false, {}, () => resolve('stopped'));
@@ -82,14 +82,14 @@ export class MqttLink {
       client.on('connect', () => this.#open(client));
       client.on('message', (topic, payload, { retain }) => this.#hear(topic, payload, retain));
       client.on('error', error => {
-        reason = inWords(error, this.broker.endpoint);
+        failure = error;
       });
       // Handles only the first close event, because at a later one, the next client may already exist.
       client.once('close', () => {
         stop.removeEventListener('abort', leave);
         this.#client = null;
         client.end(true);
-        resolve(reason);
+        resolve(inWords(failure, this.broker.endpoint, this.#wasOpen));
       });
     });
   }
@@ -141,12 +141,20 @@ export class MqttLink {
   }
 }
 
-function inWords(error: Error & { code?: unknown }, endpoint: string): string {
-  if (error.code === 'ECONNREFUSED') return brokerMessages.refuses(endpoint);
-  if (/^(read|write) (ECONNRESET|EPIPE)$/.test(error.message)) return brokerMessages.closed;
-  if (/^(keepalive|connack) timeout$/i.test(error.message)) return brokerMessages.silent(endpoint);
-  if (error.code === 134 || error.code === 135 || error.code === 4 || error.code === 5) return brokerMessages.loginRefused(endpoint);
-  if (String(error.code).includes('CERT') || String(error.code).includes('UNABLE_TO') || String(error.code).includes('SELF_SIGNED'))
-    return brokerMessages.notTrusted(String(error.code));
-  return error.message;
+/** Reason codes of MQTT 5, and of earlier versions, with which a broker refuses a login or the version. */
+const LOGIN_REFUSED = [134, 135, 4, 5];
+const VERSION_REFUSED = [132, 1];
+
+/** @param wasOpen Whether the connection was established. */
+function inWords(failure: (Error & { code?: string | number }) | null, endpoint: string, wasOpen: boolean): string {
+  const { code, message = '' } = failure ?? {};
+  if (/^(keepalive|connack) timeout$/i.test(message)) return brokerMessages.silent(endpoint);
+  if (wasOpen) return failure === null || /^(read|write) (ECONNRESET|EPIPE)$/.test(message) ? brokerMessages.closed : message;
+  if (code === 'ECONNREFUSED') return brokerMessages.refuses(endpoint);
+  if (code === 'ENOTFOUND' || code === 'EAI_AGAIN') return brokerMessages.unknownHost(endpoint);
+  if (LOGIN_REFUSED.includes(code as number)) return brokerMessages.loginRefused(endpoint);
+  if (VERSION_REFUSED.includes(code as number)) return brokerMessages.noMqtt5(endpoint);
+  if (code === 'ERR_TLS_CERT_ALTNAME_INVALID') return brokerMessages.otherHost(endpoint);
+  if (/CERT|UNABLE_TO|SELF_SIGNED/.test(String(code))) return brokerMessages.notTrusted(String(code));
+  return brokerMessages.noBroker(endpoint, failure === null ? 'connection closed' : String(code ?? message));
 }

@@ -1,6 +1,7 @@
 import { isClockStopped, type OfferedClock } from '../clock/offeredClock';
 import type { Nanoseconds } from '../times';
 import { clockMessages } from '../messages/gateway';
+import { requestTrouble } from './troubles';
 import { opcuaMessages } from '../messages/opcua';
 
 /**
@@ -55,12 +56,12 @@ export class ServerSilence {
         if (!isOver) time = (await clock.read()).received;
       } catch (error) {
         // Continues if the clock has stopped, because such a server still responds. The gateway receives this error when it reads the time.
-        if (!isClockStopped(error)) return clockMessages.notReadable((error as Error).message);
+        if (!isClockStopped(error)) return clockMessages.notReadable(requestTrouble(error as Error));
       }
       try {
         if (!isOver) await look(time);
       } catch (error) {
-        return opcuaMessages.notReadable((error as Error).message);
+        return opcuaMessages.notReadable(requestTrouble(error as Error));
       }
     }
     return opcuaMessages.ended;

@@ -31,6 +31,11 @@ export function refusalOf(error: Error, trust: TrustList, settings: OpcUaSetting
   if (trust.refusal !== null) return { isRefusal: true, text: trust.refusal };
   const cure = CURES.find(([pattern]) => pattern.test(error.message));
   if (cure !== undefined) return { isRefusal: true, text: cure[1](settings, own) };
-  const isAway = /ECONNREFUSED|ENOTFOUND|EHOSTUNREACH|ETIMEDOUT|cannot be established|premature disconnection/i.test(error.message);
-  return { isRefusal: false, text: isAway ? opcuaMessages.noServer(settings.endpoint) : error.message };
+  const isAway = /ECONN|ENOTFOUND|EHOSTUNREACH|ETIMEDOUT|cannot be established|premature disconnection|rejected by server|socket has been/i.test(
+    error.message,
+  );
+  return { isRefusal: false, text: isAway ? opcuaMessages.noServer(settings.endpoint) : requestTrouble(error) };
 }
+
+/** Gets the reason why a request of an established connection failed. */
+export const requestTrouble = ({ message }: Error): string => (/timed out/.test(message) ? opcuaMessages.noResponse : message);

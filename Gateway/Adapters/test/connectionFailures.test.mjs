@@ -1,0 +1,98 @@
+// Tests what the adapters report when another program responds at the address of the plant.
+import assert from 'node:assert/strict';
+import { once } from 'node:events';
+import { createServer } from 'node:net';
+import { createServer as createSecureServer } from 'node:tls';
+import { before, describe, it } from 'node:test';
+import { identity } from './opcua/identity.mjs';
+import { freePort } from './freePort.mjs';
+import { start, until } from './program.mjs';
+import { RosbridgeDouble } from './rosbridge.mjs';
+import { OPEN } from './opcua/plant.mjs';
+import { temporaryFile } from './temporary.mjs';
+import { ANY, like, messages } from './messages.mjs';
+
+const { brokerMessages, gatewayMessages, opcuaMessages } = messages;
+
+const closes = socket => socket.destroy();
+const responds = bytes => socket => socket.on('data', () => socket.end(Buffer.from(bytes)));
+const HTTP = responds('HTTP/1.1 400 Bad Request\r\nContent-Length: 0\r\n\r\n');
+
+const KINDS = {
+  opcua: port => `opc.tcp://127.0.0.1:${port}\n  ${OPEN}\njoints: [{ joint: a, node: "ns=1;s=a" }]`,
+  mqtt: port => `mqtt://127.0.0.1:${port}\njoints: [{ joint: a, topic: a }]`,
+  mqtts: port => `mqtts://localhost:${port}\njoints: [{ joint: a, topic: a }]`,
+  otherHost: (port, { certificateFile }) => `mqtts://127.0.0.1:${port}\n  authority_file: "${certificateFile}"\njoints: [{ joint: a, topic: a }]`,
+  ros: port => `ws://127.0.0.1:${port}`,
+  wss: port => `wss://127.0.0.1:${port}`,
+  pinned: port => `wss://127.0.0.1:${port}\n  pin: sha256/${'A'.repeat(43)}=`,
+};
+const KIND_OF = { mqtts: 'mqtt', otherHost: 'mqtt', wss: 'ros', pinned: 'ros' };
+
+describe('connections to another program', { concurrency: 4 }, () => {
+  let own;
+  before(async () => { own = await identity('urn:another'); });
+
+  /** Starts an adapter and a server at its address. `serve` receives each connection. Returns the reason in the diagnostics and the server's port. */
+  async function reasonOf(t, kind, serve, isSecure = false) {
+    const take = socket => {
+      socket.on('error', () => {});
+      serve?.(socket);
+    };
+    const server = isSecure ? createSecureServer({ key: own.pem, cert: own.cert }, take) : createServer(take);
+    server.on('tlsClientError', () => {});
+    await once(server.listen(0, '127.0.0.1'), 'listening');
+    t.after(() => server.close());
+    const bridge = await RosbridgeDouble.start(t, { now: () => 1_700_000_000_000_000_000n }), { port } = server.address();
+    const text = `gateway: { url: "${bridge.url}" }\nplant:\n  kind: ${KIND_OF[kind] ?? kind}\n  endpoint: ${KINDS[kind](port, own)}\n`;
+    start(t, [temporaryFile('plant.yaml', text)]);
+    return { reason: await until(() => bridge.state?.reason, 'a reason'), port };
+  }
+
+  for (const [name, kind, serve, expected] of [
+    ['OpcUaIsClosed', 'opcua', closes, port => opcuaMessages.noServer(`opc.tcp://127.0.0.1:${port}`)],
+    ['OpcUaIsAnotherProtocol', 'opcua', HTTP, port => opcuaMessages.noServer(`opc.tcp://127.0.0.1:${port}`)],
+    ['MqttIsClosed', 'mqtt', closes, port => brokerMessages.noBroker(`mqtt://127.0.0.1:${port}`, ANY)],
+    ['MqttIsAnotherProtocol', 'mqtt', HTTP, port => brokerMessages.noBroker(`mqtt://127.0.0.1:${port}`, ANY)],
+    ['MqttHasNoTls', 'mqtts', closes, port => brokerMessages.noBroker(`mqtts://localhost:${port}`, ANY)],
+    ['MqttHasVersion3', 'mqtt', responds([0x20, 2, 0, 1]), port => brokerMessages.noMqtt5(`mqtt://127.0.0.1:${port}`)],
+    ['MqttHasNoVersion5', 'mqtt', responds([0x20, 3, 0, 0x84, 0]), port => brokerMessages.noMqtt5(`mqtt://127.0.0.1:${port}`)],
+    ['RosbridgeIsClosed', 'ros', closes, () => gatewayMessages.noServer('rosbridge', 'ECONNRESET')],
+    ['RosbridgeIsAWebServer', 'ros', HTTP, () => gatewayMessages.noServer('rosbridge', 'HTTP status 400')],
+    ['RosbridgeHasNoTls', 'wss', HTTP, () => gatewayMessages.noServer('rosbridge', 'EPROTO')],
+  ])
+    it(`Connection_${name}_ReasonNamesTheEntry`, async t => {
+      const { reason, port } = await reasonOf(t, kind, serve);
+
+      assert.match(reason, like(expected(port)));
+      assert.match(reason, /plant\.endpoint|MQTT 5/);
+    });
+
+  for (const [name, kind, expected] of [
+    ['WithoutPin', 'wss', () => gatewayMessages.notTrusted('rosbridge', ANY)],
+    ['WithAnotherPin', 'pinned', () => gatewayMessages.otherPin('rosbridge', ANY)],
+  ])
+    it(`Connection_RosbridgeNotTrusted${name}_ReasonNamesTheRosbridge`, async t => {
+      const { reason } = await reasonOf(t, kind, null, true);
+
+      assert.match(reason, like(expected()));
+      assert.doesNotMatch(reason, /gateway/);
+    });
+
+  it('Connection_MqttHasACertificateOfAnotherHost_ReasonNamesTheEntry', async t => {
+    const { reason, port } = await reasonOf(t, 'otherHost', null, true);
+
+    assert.equal(reason, brokerMessages.otherHost(`mqtts://127.0.0.1:${port}`));
+  });
+
+  for (const kind of ['mqtt', 'ros'])
+    it(`Connection_UnknownHostOf${kind}_ReasonNamesTheEntry`, async t => {
+      const bridge = await RosbridgeDouble.start(t, { now: () => 1_700_000_000_000_000_000n });
+      const endpoint = KINDS[kind](await freePort()).replace('127.0.0.1', 'no-such-host.invalid');
+      start(t, [temporaryFile('plant.yaml', `gateway: { url: "${bridge.url}" }\nplant:\n  kind: ${kind}\n  plain: true\n  endpoint: ${endpoint}\n`)]);
+
+      const reason = await until(() => bridge.state?.reason, 'a reason');
+
+      assert.match(reason, /host name.* is unknown; correct plant\.endpoint/);
+    });
+});
