@@ -25,6 +25,8 @@ export async function publish({ configuration, gateway, status, stopping }: Adap
   gateway.watch({
     opened: () => {
       broker.isGatewayOpen = true;
+      // The gateway sends its newest set-points after the subscription. Until then, those on the broker may be from an earlier run.
+      for (const robot of settings.namespaces) broker.publishRetained(below(robot, TRAJECTORY), '');
     },
     away: () => {
       broker.isGatewayOpen = false;

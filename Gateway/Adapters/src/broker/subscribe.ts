@@ -81,7 +81,8 @@ export async function subscribe(
     heard: (name, payload, isRetained) => {
       if (name === ALIVE) return enter(payload.toString(), isRetained);
       const known = take.get(name);
-      if (known === undefined && payload.length === 0) return objects.remove(name);
+      // The message has been removed from the broker.
+      if (payload.length === 0) return known === undefined ? objects.remove(name) : undefined;
       const message = parsed(name, payload);
       if (message === null) return malformed(name, malformedMessages.notObject);
       if (known === undefined) objects.take(name, message);

@@ -49,6 +49,36 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     assert.deepEqual(later.published('/joint_trajectory')[0], plan);
   });
 
+  it('SetPoints_OfAnEarlierRunOrAnEarlierRunOfTheGateway_AreRemovedFromTheBroker', async t => {
+    const [near, broker] = await Promise.all([RosbridgeDouble.start(t), Mosquitto.start(t)]);
+    const topic = `${TOPIC}/joint_trajectory`, retained = new Map();
+    const client = await connectAsync(broker.url, { protocolVersion: 5 });
+    t.after(() => client.endAsync(true));
+    await client.publishAsync(topic, '{"joint_names":["old"]}', { retain: true, qos: 1 });
+    client.on('message', (name, payload) => retained.set(name, payload.toString()));
+    await client.subscribeAsync(topic, { rap: true });
+    await until(() => retained.get(topic)?.includes('old'), 'the set-points of an earlier run');
+
+    bridge(t, 'publish', near, broker);
+    await until(() => retained.get(topic) === '', 'the removal');
+    publish(near, '/joint_trajectory', { joint_names: ['new'] });
+    await until(() => retained.get(topic).includes('new'), 'the new set-points');
+    for (const connection of near.clients) connection.terminate();
+
+    await until(() => retained.get(topic) === '', 'the removal after the connection to the gateway');
+  });
+
+  it('SetPoints_RemovedFromTheBroker_AreNotMalformed', async t => {
+    const { near, far, broker, subscriber, sync } = await halls(t), client = await connectAsync(broker.url, { protocolVersion: 5 });
+    t.after(() => client.endAsync(true));
+    await client.publishAsync(`${TOPIC}/joint_trajectory`, '', { retain: true, qos: 1 });
+
+    publish(near, '/robot_description', { data: '<robot name="r"/>' });
+
+    await until(() => far.published('/robot_description').length > 0, 'the next message');
+    assert.doesNotMatch(subscriber.err, /malformed/);
+  });
+
   it('Bridge_BrokerStalls_DropsTheOldestAndStillAnswersItsGateway', async t => {
     const { near, far, broker, sync, publisher } = await halls(t);
     broker.stall();
