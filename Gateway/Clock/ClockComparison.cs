@@ -14,7 +14,7 @@ sealed class ClockComparison : IDisposable
     readonly Action<string> _log;
     readonly GuardedTask _look;
     readonly Dictionary<string, (TimeSpan Ahead, TimeSpan Bound)> _logged = [];
-    readonly Dictionary<string, ClockState> _states = [];
+    readonly Dictionary<string, (ClockState State, long Exchanges)> _states = [];
     Timer _timer;
 
     public ClockComparison(ServedClock served, Action<string> log)
@@ -39,10 +39,12 @@ sealed class ClockComparison : IDisposable
 
     void LookAt(PlantClockStatus clock, PlantClockStatus control)
     {
-        if (_states.GetValueOrDefault(clock.Name) != clock.State)
+        var before = _states.GetValueOrDefault(clock.Name);
+        _states[clock.Name] = (clock.State, clock.Exchanges);
+        if (before.State != clock.State)
         {
-            _states[clock.Name] = clock.State;
-            _log(PlantClockMessages.State(clock.Name, clock.State.Word() + Why(clock), clock.IsControlClock));
+            var why = clock.LastFailure == null || clock.Exchanges > before.Exchanges ? "" : $" ({clock.LastFailure})";
+            _log(PlantClockMessages.State(clock.Name, clock.State.Word() + why, clock.IsControlClock));
         }
 
         if (clock.IsControlClock || clock.OffsetToControl is not { } ahead || clock.State != ClockState.Synchronised) return;
@@ -51,7 +53,4 @@ sealed class ClockComparison : IDisposable
         _logged[clock.Name] = (ahead, bound);
         _log(PlantClockMessages.Compared(clock.Name, ahead.TotalMilliseconds, bound.TotalMilliseconds, _served.Source, clock.SkewPpm));
     }
-
-    static string Why(PlantClockStatus clock) =>
-        clock.State is ClockState.Synchronised || clock.LastFailure == null ? "" : $" ({clock.LastFailure})";
 }

@@ -157,6 +157,33 @@ public class ServedClockTests
         Assert.That(lines[0], Is.EqualTo(PlantClockMessages.State("ads", "synchronised", isControlClock: true)));
     }
 
+    [Test]
+    public void Look_ClockIsReadAgainAfterAFailure_StatesTheReasonOnlyWhileItIsNotRead()
+    {
+        var plant = new VirtualPlant();
+        var plc = plant.Add("plc", 1000, 0);
+        var lines = new List<string>();
+        using var comparison = new ClockComparison(plant.Served, lines.Add);
+        plant.Run(TimeSpan.FromSeconds(30));
+        comparison.Look();
+        plant.Clocks.All[0].Failed("the plant has stopped");
+        plant.Pass(TimeSpan.FromSeconds(10));
+        comparison.Look();
+        var failed = lines.Last();
+
+        plc.Step(TimeSpan.FromSeconds(-5));
+        for (var i = 0; i < 200; i++)
+        {
+            plant.Run(TimeSpan.FromMilliseconds(50));
+            comparison.Look();
+        }
+
+        var after = lines.SkipWhile(line => line != failed).Skip(1).ToList();
+        Assert.That(failed, Is.EqualTo(PlantClockMessages.State("plc", "holdover (the plant has stopped)", isControlClock: true)));
+        Assert.That(after.Select(line => line.Contains("coarse", StringComparison.Ordinal)), Has.Some.True, string.Join("\n", lines));
+        Assert.That(after, Has.None.Contains("the plant has stopped"));
+    }
+
     /// <summary>Simulates the gateway's counter and the clocks, which are measured every 200 ms with one-way delays of 0.4 to 0.6 ms.</summary>
     internal sealed class VirtualPlant : IPerformanceCounterClock
     {
