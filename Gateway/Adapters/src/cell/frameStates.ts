@@ -1,6 +1,6 @@
 import type { FrameSettings } from '../configuration/frames';
 import type { AdapterStatus } from '../gateway/status';
-import { silenceMessages } from '../messages/values';
+import { silenceMessages, stateMessages } from '../messages/values';
 import { SampleSilence } from '../samples/sampleSilence';
 import type { Nanoseconds } from '../times';
 import { FrameMotion } from './frameMotion';
@@ -35,6 +35,17 @@ export class FrameStates {
     this.motionOf(pose.frame).add(stamp, pose);
     this.status.accept(pose.frame);
     this.silence.heard(pose.frame);
+  }
+
+  /**
+   * Sets a notice about each frame that may not be at rest although its pose is repeated. Without confirmed values, the pose is not repeated, so it does
+   * not look current.
+   */
+  reportUncertainty(): void {
+    for (const frame of this.#motions.keys()) {
+      const uncertainty = this.silence.unconfirmedMs === null ? '' : (this.status.frames.conditionOf(frame)?.uncertainty ?? '');
+      this.status.notice(uncertainty === '' ? null : stateMessages.uncertainRest(frame, uncertainty), `rest of ${frame}`);
+    }
   }
 
   /** Prepares for a new connection. Objects at rest may have moved since the previous one. */

@@ -107,10 +107,11 @@ export class PoseOutput {
     this.#send(poses);
   }
 
-  /** Updates the state of frames that have been silent for too long. */
+  /** Updates the state of frames that have been silent for too long, and the notices about frames that may not be at rest. */
   checkSilence(): void {
     const faults = new Set(this.silence.check());
     for (const track of this.#tracks) if (faults.has(track.frame.frame)) track.end ??= 'silent';
+    this.states.reportUncertainty();
   }
 
   /** Whether the value belongs to a frame whose data ended during a motion. */

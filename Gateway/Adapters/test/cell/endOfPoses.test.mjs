@@ -4,7 +4,7 @@ import { describe, it } from 'node:test';
 import { cell, MS, T } from './inVirtualTime.mjs';
 import { ANY, like, messages } from '../messages.mjs';
 
-const { silenceMessages } = messages;
+const { silenceMessages, stateMessages } = messages;
 
 const read = value => ({ value }), constant = number => ({ constant: number });
 /** An object whose x coordinate (m) and angle about z (rad) are read. */
@@ -125,6 +125,17 @@ describe('the end of the data of objects', () => {
       assert.deepEqual([unlimited.stateOf('frame/part'), unlimited.status.level], ['rest', 1]);
       assert.match(unlimited.status.frames.uncertainty[1], like(silenceMessages.unobservedStop(ANY, unit)));
     });
+
+  it('Frame_StopNotObserved_IsANoticeUntilItMoves', () => {
+    const notices = [], place = ms => (ms <= 1000 || ms > 4000 ? [0.0003 * ms, 0] : null);
+
+    moving(place, 4500, { observe: ({ status }, ms) => notices.push([ms, status.values().notice]) });
+
+    const [first] = notices.find(([, notice]) => notice !== undefined);
+    assert.ok(first >= 2000 && first <= 2500, `${first}`);
+    const warning = like(stateMessages.uncertainRest('part', silenceMessages.unobservedStop(ANY, 'm/s²')));
+    assert.ok(notices.every(([ms, notice]) => (ms >= first && ms <= 4000 ? warning.test(notice) : ms > 4000 && ms < 4300 || notice === undefined)));
+  });
 
   it('Frame_DataEndDuringTheMotion_IsLiveAgainWithItsNextPose', () => {
     const states = [];
