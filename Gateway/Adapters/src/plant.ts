@@ -44,6 +44,8 @@ export async function runPlant(configuration: CheckedConfiguration, log: Log, en
   gateway.watch(output.repeater);
   gateway.subscribe(VERSION_TOPIC, ({ data }) => compareVersions(log, data));
   const run = await load(plant.kind);
+  // The first message, because until then, the gateway names this connection by its address.
+  report();
   for (const [namespace, urdf] of Object.entries({ ...robots, ...(robot === null ? {} : { '': robot }) }))
     gateway.publishKept(topicOf(namespace, ROBOT_DESCRIPTION), description(urdf));
 

@@ -94,6 +94,15 @@ describe('link to the gateway', { concurrency: 3 }, () => {
       assert.equal(run.err.split(gatewayMessages.noToken(refusal)).length, 2);
     });
 
+  it('Connection_First_BeginsWithTheDiagnosticsThatNameTheAdapter', async t => {
+    const bridge = await RosbridgeDouble.start(t);
+    start(t, [configuration({ url: bridge.url, port: await freePort(), rest: 'robot: ur5e\n' })]);
+
+    await until(() => bridge.published('/robot_description').length > 0, 'the description');
+
+    assert.equal(bridge.heard.find(({ op }) => op === 'publish').topic, '/nowpose/diagnostics');
+  });
+
   it('Robot_Configured_IsPublishedAfterEachConnection', async t => {
     const port = await freePort(), first = await RosbridgeDouble.start(t, { port });
     const path = configuration({ url: first.url, port: await freePort(), rest: 'joints: [{ joint: a, index: 0 }]\nrobot: arm.urdf\n' });

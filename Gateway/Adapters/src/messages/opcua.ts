@@ -84,7 +84,8 @@ export const nodeMessages = {
   badStatus: (status: string, description: string) => `the server returned ${status}, ${description}`,
   array: (node: string) => `${node} is an array; add index`,
   notArray: (node: string) => `${node} is not an array; remove index`,
-  index: (node: string, count: number) => `${node} has ${count} elements; allowed: an index from 0 to ${count - 1}`,
+  index: (node: string, count: number) =>
+    count === 0 ? `${node} is an array without elements` : `${node} has ${count} elements; allowed: an index from 0 to ${count - 1}`,
   notTime: 'the value is not a time; use a DateTime, or a 64-bit whole number or an LREAL with a unit',
   noTimeOfCycle: (node: string, groupMs: string) =>
     `no value of ${node} has a time stamp within ${groupMs} ms (group_ms) of the time stamp of this value; `

@@ -47,6 +47,10 @@ describe('values of nodes', () => {
     for (const [value, index, expected] of cases) assert.equal(valueOf(joint(index), value).value, expected);
   });
 
-  it('Value_IndexInEmptyArray_IsNotFound', () =>
-    assert.equal(valueOf(joint(0), data(DataType.Double, new Float64Array(), VariantArrayType.Array)).reason, 'index'));
+  it('Value_IndexInEmptyArray_IsNotFoundAndNoIndexIsAllowed', () => {
+    const { reason, text } = valueOf(joint(0), data(DataType.Double, new Float64Array(), VariantArrayType.Array));
+
+    assert.equal(reason, 'index');
+    assert.doesNotMatch(text, /allowed/);
+  });
 });
