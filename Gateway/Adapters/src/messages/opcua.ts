@@ -74,6 +74,7 @@ export const opcuaRefusalMessages = {
 export const nodeMessages = {
   noNamespace: (place: string, node: string) => `${place}: value ${node}; the server has no such namespace`,
   namespaces: (problems: string, namespaces: string[]) => `${problems}; the namespaces of the server: ${namespaces.join(', ')}`,
+  otherNamespaces: 'the server has other namespaces now',
   unknown: (place: string, node: string, status: string) =>
     `${place}: value ${node}; the server returned ${status}; look up the node id in an OPC UA browser`,
   gone: (place: string, node: string, status: string) => `${place}: value ${node}; the server no longer has this node (${status})`,

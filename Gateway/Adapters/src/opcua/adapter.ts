@@ -5,7 +5,7 @@ import { Backoff, pause } from '../backoff';
 import { delayOf, STAMP_LAG_MS, unconfirmedAfterMs } from '../samples/silentValues';
 import { type Nanoseconds, ofMilliseconds } from '../times';
 import { clockOf } from './clockReader';
-import { byNumber, isByUri, NAMESPACES } from './nodeIds';
+import { byNumber, isByUri, NAMESPACES, NO_NODE } from './nodeIds';
 import { reasonNotMonitored } from './nodeValues';
 import { NotificationReader } from './notificationReader';
 import { ReadOnlySession } from './readOnlySession';
@@ -75,7 +75,7 @@ async function attempt(
   let isConnected = false;
   try {
     await session.open(identity(settings));
-    const nodes = await idsOf(session, context, reader);
+    const { ids: nodes, lost } = await idsOf(session, context, reader);
     const serverSilence = new ServerSilence();
     await context.clock.attach(await clockOf(session, settings, settings.time === null ? null : nodes.at(-1)!, context.log), stopping);
     reader.restart();
@@ -98,13 +98,14 @@ async function attempt(
     reader.samplingMs = monitoring.samplingMs;
     const delayMs = (silent.delayMs = delayOf(monitoring));
     context.output.unconfirmedMs = unconfirmedAfterMs(delayMs);
-    refuseUnknown(context, reader, silent, monitoring.refusals);
+    refuseUnknown(context, reader, silent, monitoring.refusals, lost);
     if (reader.nodes.length > 0) status.detail('sampling_ms', monitoring.samplingMs);
     status.detail('publishing_ms', monitoring.publishingMs);
     isConnected = true;
     status.enter('connected');
     const lag = ofMilliseconds(STAMP_LAG_MS + monitoring.samplingMs);
     const look = async (time: Nanoseconds | null): Promise<void> => {
+      if (lost.size > 0 && String((await idsOf(session, context, reader)).ids) !== String(nodes)) throw new Error(nodeMessages.otherNamespaces);
       const unchanged = await silent.read();
       if (time !== null) reader.holdNodes(time - lag, unchanged);
     };
@@ -120,16 +121,26 @@ async function attempt(
   return isConnected;
 }
 
-/** Converts node ids with namespace URIs to the current namespace indices of the server. */
-async function idsOf(session: ReadOnlySession, context: AdapterContext, { nodes }: NotificationReader): Promise<string[]> {
-  if (!nodes.some(isByUri)) return nodes;
+/**
+ * Converts node ids with namespace URIs to the current namespace indices of the server. `lost` has the nodes whose namespace the server does not
+ * have, with the reason, so that the other nodes can still be read.
+ * @throws Refused The server has the namespace of none of the values, or not that of the time variable.
+ */
+async function idsOf(
+  session: ReadOnlySession,
+  context: AdapterContext,
+  reader: NotificationReader,
+): Promise<{ ids: string[]; lost: Map<number, string> }> {
+  const { nodes, valueNodes } = reader;
+  if (!nodes.some(isByUri)) return { ids: nodes, lost: new Map() };
   const { value } = await session.read(NAMESPACES);
   const namespaces = Array.isArray(value.value) ? (value.value as string[]) : [];
-  const ids = nodes.map(node => byNumber(node, namespaces));
-  const lost = nodes.filter((_, i) => ids[i] === undefined);
-  const wrong = lost.map(node => nodeMessages.noNamespace(whereIs(context, node), node));
-  if (wrong.length > 0) throw new Refused(nodeMessages.namespaces(wrong.join('; '), namespaces));
-  return ids as string[];
+  const found = nodes.map(node => byNumber(node, namespaces));
+  const lost = new Map<number, string>();
+  for (const [i, id] of found.entries()) if (id === undefined) lost.set(i, nodeMessages.noNamespace(whereIs(context, nodes[i]), nodes[i]));
+  const inWords = (problems: string): string => nodeMessages.namespaces(problems, namespaces);
+  if (lost.has(valueNodes.length) || (lost.size > 0 && lost.size >= valueNodes.length)) throw new Refused(inWords([...lost.values()].join('; ')));
+  return { ids: found.map(id => id ?? NO_NODE), lost: new Map([...lost].map(([i, problem]) => [i, inWords(problem)])) };
 }
 
 function whereIs({ configuration }: AdapterContext, node: string): string {
@@ -141,12 +152,18 @@ function whereIs({ configuration }: AdapterContext, node: string): string {
  * Reports the configured values whose nodes the server does not have, so that the other nodes can still be read.
  * @throws Refused The server does not have the time variable, or none of the values.
  */
-function refuseUnknown(context: AdapterContext, { nodes, valueNodes }: NotificationReader, silent: SilentNodes, refusals: (string | null)[]): void {
-  const wrong = refusals.flatMap((refusal, node) =>
-    refusal === null
-      ? []
-      : [{ node, reason: reasonNotMonitored(refusal), text: nodeMessages.unknown(whereIs(context, nodes[node]), nodes[node], refusal) }],
-  );
+function refuseUnknown(
+  context: AdapterContext,
+  { nodes, valueNodes }: NotificationReader,
+  silent: SilentNodes,
+  refusals: (string | null)[],
+  lost: Map<number, string>,
+): void {
+  const wrong = refusals.flatMap((refusal, node) => {
+    if (refusal === null) return [];
+    const text = lost.get(node) ?? nodeMessages.unknown(whereIs(context, nodes[node]), nodes[node], refusal);
+    return [{ node, reason: reasonNotMonitored(refusal), text }];
+  });
   if (wrong.some(({ node }) => node >= valueNodes.length) || (wrong.length > 0 && wrong.length >= valueNodes.length))
     throw new Refused(wrong.map(({ text }) => text).join('; '));
   for (const { node, ...refusal } of wrong) silent.refused(node, refusal);

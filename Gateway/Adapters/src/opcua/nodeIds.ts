@@ -1,6 +1,9 @@
 /** Node id of Server_NamespaceArray, which every OPC UA server has. */
 export const NAMESPACES = 'ns=0;i=2255';
 
+/** The null node id. No server has a node with this id. */
+export const NO_NODE = 'ns=0;i=0';
+
 const BY_URI = /^nsu=([^;]+);(.*)$/s;
 
 /** Whether a node id contains its namespace as a URI. Unlike an index, a URI does not change with the server's configuration. */

@@ -149,6 +149,15 @@ export class YoubotServer {
     this.#add(VARIABLES.find(([known]) => known === name));
   }
 
+  /** Adds a namespace with a variable that has the values of the first joint, like a PLC whose program is loaded later. */
+  addNamespace(uri, name) {
+    const namespace = this.#device.namespace.addressSpace.registerNamespace(uri), [source, dataType, value] = VARIABLES[0];
+    namespace.addVariable({
+      organizedBy: this.#device, browseName: name, nodeId: `s=${name}`, dataType, minimumSamplingInterval: 1,
+      value: { timestamped_get: () => this.#value(source, dataType, value, VariantArrayType.Scalar) },
+    });
+  }
+
   async stop() {
     await this.#server?.shutdown(0);
     this.#server = null;
