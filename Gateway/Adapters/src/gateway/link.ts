@@ -3,11 +3,12 @@ import { reconnecting } from '../backoff';
 import type { GatewayAddress } from '../configuration/configuration';
 import type { Log } from '../log';
 import { KeptMessages, REFUSED_EVERY_MS } from './keptMessages';
-import { advertisement, parsed, publication, subscription, text, typeOf } from './messages';
-import { agentFor } from './pin';
+import { advertisement, parsed, publication, text, typeOf } from './messages';
+import { PinnedAgent } from './pin';
 import { inWords, refusalInWords } from './reasons';
 import { SendQueue } from './sendQueue';
 import { StatusMessages } from './statusMessages';
+import { Subscriptions } from './subscriptions';
 import { gatewayMessages } from '../messages/gateway';
 
 const HANDSHAKE_MS = 5000;
@@ -50,7 +51,7 @@ export class GatewayLink {
   readonly #kept = new KeptMessages(this.#queue);
   readonly #topics = new Set<string>();
   readonly #services = new Map<string, { type: string; answer: Service; heard: number }>();
-  readonly #subscriptions = new Map<string, { type: string; listeners: ((message: Record<string, unknown>) => void)[] }>();
+  readonly #subscriptions = new Subscriptions(message => this.#send(message));
   readonly #calls = new Map<string, (answer: Record<string, unknown>) => void>();
   readonly #statuses: StatusMessages;
   readonly #watchers: LinkEvents[];
@@ -127,9 +128,12 @@ export class GatewayLink {
 
   /** Subscribes to a topic. A topic may have several listeners. */
   subscribe(topic: string, listen: (message: Record<string, unknown>) => void, type = typeOf(topic)!): void {
-    const known = this.#subscriptions.get(topic);
-    this.#subscriptions.set(topic, { type, listeners: [...(known?.listeners ?? []), listen] });
-    if (known === undefined) this.#send(subscription(topic, type));
+    this.#subscriptions.add(topic, type, listen);
+  }
+
+  /** Replaces the subscriptions to the topics of which no message has arrived on this connection. */
+  renewSilentSubscriptions(): void {
+    this.#subscriptions.renewSilent();
   }
 
   /**
@@ -220,7 +224,7 @@ export class GatewayLink {
     this.log.change(this.name, `${this.name} ${this.address.url} connected`);
     for (const topic of this.#topics) this.#send(advertisement(topic));
     for (const service of this.#services.keys()) this.#offer(service);
-    for (const [topic, { type }] of this.#subscriptions) this.#send(subscription(topic, type));
+    this.#subscriptions.opened();
     this.#kept.repeat();
     this.#pump();
     for (const { opened } of this.#watchers) opened?.();
@@ -245,11 +249,11 @@ export class GatewayLink {
   }
 
   // Passes a message to the listeners. Catches exceptions, because an invalid message must not end the process.
-  #pass({ topic, msg }: Record<string, unknown>): void {
+  #pass(message: Record<string, unknown>): void {
     try {
-      for (const listen of this.#subscriptions.get(text(topic))?.listeners ?? []) listen(msg as Record<string, unknown>);
+      this.#subscriptions.pass(message);
     } catch (error) {
-      for (const { malformed } of this.#watchers) malformed?.(text(topic), (error as Error).message);
+      for (const { malformed } of this.#watchers) malformed?.(text(message.topic), (error as Error).message);
     }
   }
 

@@ -8,6 +8,9 @@ export const rosMessages = {
   clockAvailable: "the robot's clock is available",
   noClock: (reason: string) => `the robot's clock is not available: ${reason}; start rosapi, or set plant.clock: false`,
   noTime: (service: string) => `${service} returns no time; if the robot uses use_sim_time, start the simulation`,
+  noDescription: (topic: string) =>
+    `no robot description has arrived on ${topic}; set robot to a URDF file, or start its publisher (in ROS 1 the description is a parameter); if `
+    + 'the headsets have their own, set plant.topics.robot_description: false',
   noTransforms: 'the message has no list of transforms',
   noParent: (source: string) => `the pose from ${source} has no parent; let its publisher set header.frame_id`,
   notFinite: (field: string, source: string, value: unknown) =>

@@ -1,12 +1,12 @@
 import type { AdapterContext } from '../adapter';
 import { pause } from '../backoff';
 import { GatewayLink } from '../gateway/link';
-import { description, excessOf, ROBOT_DESCRIPTION, topicOf } from '../gateway/messages';
 import { TopicValues } from '../samples/topicValues';
 import { ofRosTime } from '../times';
 import { RosFrames } from './frames';
 import { JointNames } from './jointNames';
 import { JointStates } from './jointStates';
+import { RobotDescription } from './robotDescription';
 import { SetPoints } from './setPoints';
 import type { RosSettings } from './kind';
 import { TopicMessages } from './topicMessages';
@@ -15,6 +15,9 @@ import { malformedMessages } from '../messages/broker';
 import { rosMessages } from '../messages/ros';
 
 const CLOCK_RETRY_MS = 1000;
+
+/** Interval of the repeated subscriptions to topics without a message. */
+const SUBSCRIBE_AGAIN_MS = 5000;
 
 const GET_TIME = '/rosapi/get_time';
 
@@ -49,7 +52,9 @@ export async function run(context: AdapterContext<RosSettings>): Promise<void> {
     opened: () => {
       status.enter('connected');
       connection = new AbortController();
-      if (settings.hasClock) void attach(AbortSignal.any([stopping, connection.signal]));
+      const ended = AbortSignal.any([stopping, connection.signal]);
+      if (settings.hasClock) void attach(ended);
+      void subscribeAgain(ended);
     },
     away: reason => {
       connection.abort();
@@ -82,6 +87,17 @@ export async function run(context: AdapterContext<RosSettings>): Promise<void> {
     }
   }
 
+  // The rosbridge of ROS 2 selects the durability and the reliability of a subscription from the publishers that exist when it is created. A latched
+  // message of a publisher that starts later, and all messages of a best-effort publisher that starts later, would never arrive.
+  async function subscribeAgain(ended: AbortSignal): Promise<void> {
+    for (let connectedMs = SUBSCRIBE_AGAIN_MS; ; connectedMs += SUBSCRIBE_AGAIN_MS) {
+      await pause(SUBSCRIBE_AGAIN_MS, ended);
+      if (ended.aborted) return;
+      robot.renewSilentSubscriptions();
+      description?.check(connectedMs);
+    }
+  }
+
   async function readTime() {
     const { time } = await robot.call(GET_TIME);
     const now = ofRosTime(time);
@@ -94,8 +110,9 @@ export async function run(context: AdapterContext<RosSettings>): Promise<void> {
   const states = new JointStates(names, oldest, clock, gateway, status, output.joints.silence);
   robot.subscribe(settings.jointStates, message => states.pass(message), JOINT_STATE);
   const isDescribed = configuration.robot !== null || namespace in configuration.robots;
-  if (!isDescribed && settings.robotDescription !== null)
-    robot.subscribe(settings.robotDescription, message => passDescription(message?.data), STRING);
+  const description =
+    isDescribed || settings.robotDescription === null ? null : new RobotDescription(settings.robotDescription, namespace, gateway, status);
+  if (description !== null) robot.subscribe(description.topic, message => description.pass(message?.data), STRING);
   if (settings.jointTrajectory !== null) robot.subscribe(settings.jointTrajectory, passTrajectory, TRAJECTORY);
 
   const frames = new RosFrames(settings, oldest, clock, gateway, status, output.frames.states);
@@ -108,14 +125,6 @@ export async function run(context: AdapterContext<RosSettings>): Promise<void> {
   });
   output.signals.silence.unconfirmedMs = null;
   for (const topic of values.topics) robot.subscribe(topic, message => topics.pass(topic, message), settings.types.get(topic));
-
-  function passDescription(text: unknown): void {
-    if (typeof text !== 'string' || !text.includes('<robot')) return status.refuse('malformed', 'robot description', malformedMessages.noRobot);
-    // The gateway would report only once that it drops the description.
-    const excess = excessOf(settings.robotDescription!, text);
-    status.notice(excess, 'robot description');
-    if (excess === null) gateway.publishKept(topicOf(namespace, ROBOT_DESCRIPTION), description(text));
-  }
 
   function passTrajectory(message: Record<string, unknown>): void {
     const passed = passedTrajectory(message, names);

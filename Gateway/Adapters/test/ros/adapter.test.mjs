@@ -73,7 +73,7 @@ describe('ros', { concurrency: 4 }, () => {
 
   it('Adapter_Description_IsForwardedAndKept', async t => {
     const urdf = '<robot name="r"/>';
-    const { robot, bridge } = await cell(t);
+    const { robot, bridge } = await cell(t, { ros: 1 });
 
     robot.publish('/robot_description', { data: urdf }, { isLatched: true });
     await until(() => bridge.published('/robot_description').length === 1, 'the description');
@@ -81,6 +81,25 @@ describe('ros', { concurrency: 4 }, () => {
 
     await until(() => bridge.published('/robot_description').length === 2, 'the description after a reconnection');
     assert.deepEqual(bridge.published('/robot_description'), [{ data: urdf }, { data: urdf }]);
+  });
+
+  it('Subscriptions_PublishersOfRos2StartLater_ReceiveTheirMessages', async t => {
+    const { robot, bridge } = await cell(t), publishing = setInterval(() => robot.jointState(robot.now(), ['a'], [1], [], { isBestEffort: true }), 50);
+    t.after(() => clearInterval(publishing));
+
+    robot.publish('/robot_description', { data: '<robot name="r"/>' }, { isLatched: true });
+
+    await until(() => bridge.published('/robot_description').length > 0, () => JSON.stringify(bridge.state));
+    await states(bridge);
+  });
+
+  it('Subscriptions_TopicHasAMessage_AreNotReplaced', async t => {
+    const { robot } = await cell(t), subscribed = topic => robot.heard.filter(m => m.op === 'subscribe' && m.topic === topic).length;
+
+    robot.jointState(robot.now(), ['a'], [1]);
+    await until(() => subscribed('/robot_description') > 1, 'the repeated subscription');
+
+    assert.equal(subscribed('/joint_states'), 1);
   });
 
   it('Adapter_DescriptionTooLong_IsANoticeUntilAShorterOneArrives', async t => {

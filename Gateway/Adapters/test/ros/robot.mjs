@@ -9,6 +9,8 @@ export class Robot {
   heard = [];
   /** Last message of each latched topic. A new subscriber receives it. */
   latched = new Map();
+  /** Topics with a best-effort publisher. */
+  #bestEffort = new Set();
   #sockets = new Set();
   #started = performance.now();
 
@@ -43,7 +45,7 @@ export class Robot {
   }
 
   #serve(socket) {
-    const client = { socket, topics: new Set() };
+    const client = { socket, topics: new Map() };
     this.#sockets.add(client);
     socket.on('close', () => this.#sockets.delete(client));
     socket.on('error', () => {});
@@ -58,8 +60,10 @@ export class Robot {
       const parts = message.type?.split('/').length;
       if (parts !== undefined && parts !== 2 && (this.ros === 1 || parts !== 3))
         return send({ op: 'status', level: 'error', msg: `subscribe: Unable to import ${message.type}`, id: message.id });
-      client.topics.add(message.topic);
+      client.topics.set(message.topic, this.#bestEffort.has(message.topic) ? 'best effort' : 'reliable');
       if (this.latched.has(message.topic)) send({ op: 'publish', topic: message.topic, msg: this.latched.get(message.topic) });
+    } else if (message.op === 'unsubscribe') {
+      client.topics.delete(message.topic);
     } else if (message.op === 'call_service') {
       const isKnown = message.service === '/rosapi/get_time' && this.now !== null;
       send({
@@ -74,14 +78,22 @@ export class Robot {
     return pair(nanoseconds, this.ros === 1 ? ['secs', 'nsecs'] : ['sec', 'nanosec']);
   }
 
-  publish(topic, msg, { isLatched = false } = {}) {
+  /**
+   * Publishes a message. With ROS 2, the rosbridge selects the quality of service of a subscription when it creates it, from the publishers that exist
+   * at this time (subscribers.py). A subscription from before the publisher therefore receives neither the first message of a latched topic, which is
+   * published before the two have found each other, nor any message of a best-effort publisher.
+   */
+  publish(topic, msg, { isLatched = false, isBestEffort = false } = {}) {
+    const isFirst = isLatched && !this.latched.has(topic);
     if (isLatched) this.latched.set(topic, msg);
-    for (const { socket, topics } of this.#sockets) if (topics.has(topic)) socket.send(JSON.stringify({ op: 'publish', topic, msg }));
+    if (isBestEffort) this.#bestEffort.add(topic);
+    const isReceived = quality => quality !== undefined && (this.ros === 1 || !isFirst && (!isBestEffort || quality === 'best effort'));
+    for (const { socket, topics } of this.#sockets) if (isReceived(topics.get(topic))) socket.send(JSON.stringify({ op: 'publish', topic, msg }));
   }
 
-  jointState(stamp, name, position, velocity = []) {
+  jointState(stamp, name, position, velocity = [], options = {}) {
     const header = { ...(this.ros === 1 ? { seq: 1 } : {}), stamp: this.time(stamp), frame_id: '' };
-    this.publish('/joint_states', { header, name, position, velocity, effort: name.map(() => null) });
+    this.publish('/joint_states', { header, name, position, velocity, effort: name.map(() => null) }, options);
   }
 
   isHeardBy(topic) {
