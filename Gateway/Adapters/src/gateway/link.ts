@@ -2,9 +2,10 @@ import WebSocket, { type RawData } from 'ws';
 import { reconnecting } from '../backoff';
 import type { GatewayAddress } from '../configuration/configuration';
 import type { Log } from '../log';
+import { Calls } from './calls';
 import { KeptMessages, REFUSED_EVERY_MS } from './keptMessages';
 import { advertisement, parsed, publication, text, typeOf } from './messages';
-import { PinnedAgent } from './pin';
+import { agentFor } from './pin';
 import { inWords, refusalInWords } from './reasons';
 import { SendQueue } from './sendQueue';
 import { StatusMessages } from './statusMessages';
@@ -14,7 +15,6 @@ import { gatewayMessages } from '../messages/gateway';
 const HANDSHAKE_MS = 5000;
 const PING_MS = 2000;
 const SILENCE_MS = 6000;
-const CALL_MS = 1500;
 const MAX_MESSAGE = 2 * 1024 * 1024;
 
 /** Time without a request after which the offer of a service is repeated, because the gateway may have refused it. */
@@ -52,11 +52,15 @@ export class GatewayLink {
   readonly #topics = new Set<string>();
   readonly #services = new Map<string, { type: string; answer: Service; heard: number }>();
   readonly #subscriptions = new Subscriptions(message => this.#send(message));
-  readonly #calls = new Map<string, (answer: Record<string, unknown>) => void>();
+  readonly #calls = new Calls(
+    message => this.#send(message),
+    reason => this.#abandon(reason),
+  );
   readonly #statuses: StatusMessages;
   readonly #watchers: LinkEvents[];
   #socket: WebSocket | null = null;
-  #called = 0;
+  /** Ends the connection with a reason. */
+  #abandon: (reason: string) => void = () => {};
 
   /** @param name Name of the gateway or robot, for the log. */
   constructor(
@@ -142,19 +146,7 @@ export class GatewayLink {
    */
   async call(service: string): Promise<Record<string, unknown>> {
     if (!this.isOpen) throw new Error(gatewayMessages.notConnected(this.name));
-    const id = `${service} ${++this.#called}`;
-    const answer = await new Promise<Record<string, unknown> | null>(resolve => {
-      const timer = setTimeout(() => resolve(null), CALL_MS);
-      this.#calls.set(id, heard => {
-        clearTimeout(timer);
-        resolve(heard);
-      });
-      this.#send(JSON.stringify({ op: 'call_service', id, service, args: {} }));
-    });
-    this.#calls.delete(id);
-    if (answer === null) throw new Error(gatewayMessages.notAnswered(service, CALL_MS / 1000));
-    if (answer.result === false) throw new Error(`${service}: ${text(answer.values)}`);
-    return answer.values as Record<string, unknown>;
+    return this.#calls.call(service);
   }
 
   /** Connects, and reconnects after each disconnection, until the signal is aborted. */
@@ -180,10 +172,13 @@ export class GatewayLink {
       let reason = gatewayMessages.closed;
       let heard = performance.now();
       const leave = (): void => (socket.readyState === WebSocket.OPEN ? socket.close(1000) : socket.terminate());
+      this.#abandon = text => {
+        reason = text;
+        socket.terminate();
+      };
       const beat = setInterval(() => {
         if (performance.now() - heard > SILENCE_MS) {
-          reason = gatewayMessages.silent(SILENCE_MS / 1000);
-          socket.terminate();
+          this.#abandon(gatewayMessages.silent(SILENCE_MS / 1000));
         } else if (socket.readyState === WebSocket.OPEN) {
           socket.ping();
           this.#offerAgain();
@@ -225,6 +220,7 @@ export class GatewayLink {
     for (const topic of this.#topics) this.#send(advertisement(topic));
     for (const service of this.#services.keys()) this.#offer(service);
     this.#subscriptions.opened();
+    this.#calls.opened();
     this.#kept.repeat();
     this.#pump();
     for (const { opened } of this.#watchers) opened?.();
@@ -237,7 +233,7 @@ export class GatewayLink {
         this.#pass(message);
         break;
       case 'service_response':
-        this.#calls.get(text(message.id))?.(message);
+        this.#calls.answered(message);
         break;
       case 'call_service':
         void this.#answer(text(message.service), message.id);

@@ -7,7 +7,7 @@ import { temporaryFile } from '../temporary.mjs';
 import { Robot } from './robot.mjs';
 import { ANY, like, messages } from '../messages.mjs';
 
-const { configurationMessages, robotMessages, rosMessages, silenceMessages } = messages;
+const { configurationMessages, gatewayMessages, robotMessages, rosMessages, silenceMessages } = messages;
 
 /** Starts a robot, a test double of the gateway, and an adapter that connects them, with `launch`. Waits until the adapter has subscribed. */
 async function cell(t, options = {}, { plant = '', rest = '', launch = start } = {}) {
@@ -69,6 +69,19 @@ describe('ros', { concurrency: 4 }, () => {
     await states(bridge);
     robot.now = () => BigInt(Date.now()) * 1_000_000n;
     await until(async () => (await bridge.call('/nowpose/plant_time/arm')).result, 'the clock once rosapi runs');
+  });
+
+  it('Clock_RosapiEndsDuringACall_IsReadAgainOnANewConnection', async t => {
+    const { robot, bridge, adapter } = await cell(t, { ros: 2 });
+    const asked = setInterval(() => void bridge.call('/nowpose/plant_time/arm').catch(() => {}), 200);
+    t.after(() => clearInterval(asked));
+
+    robot.endsDuringCalls = true;
+    await adapter.said(like(gatewayMessages.notAnswered('/rosapi/get_time', ANY)));
+    robot.endsDuringCalls = false;
+
+    await until(async () => (await bridge.call('/nowpose/plant_time/arm')).result, 'the clock');
+    await until(() => Number(bridge.state.reconnects) > 0, () => JSON.stringify(bridge.state));
   });
 
   it('Adapter_Description_IsForwardedAndKept', async t => {

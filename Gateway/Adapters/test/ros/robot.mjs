@@ -11,6 +11,8 @@ export class Robot {
   latched = new Map();
   /** Topics with a best-effort publisher. */
   #bestEffort = new Set();
+  /** Whether rosapi ends during each call. The rosbridge of ROS 2 then reads no further message of the client that has called it. */
+  endsDuringCalls = false;
   #sockets = new Set();
   #started = performance.now();
 
@@ -45,7 +47,7 @@ export class Robot {
   }
 
   #serve(socket) {
-    const client = { socket, topics: new Map() };
+    const client = { socket, topics: new Map(), isBlocked: false };
     this.#sockets.add(client);
     socket.on('close', () => this.#sockets.delete(client));
     socket.on('error', () => {});
@@ -53,6 +55,7 @@ export class Robot {
   }
 
   #take(client, message) {
+    if (client.isBlocked) return;
     this.heard.push(message);
     const send = answer => client.socket.send(JSON.stringify(answer));
     if (message.op === 'subscribe') {
@@ -64,6 +67,8 @@ export class Robot {
       if (this.latched.has(message.topic)) send({ op: 'publish', topic: message.topic, msg: this.latched.get(message.topic) });
     } else if (message.op === 'unsubscribe') {
       client.topics.delete(message.topic);
+    } else if (message.op === 'call_service' && this.endsDuringCalls) {
+      client.isBlocked = this.ros === 2;
     } else if (message.op === 'call_service') {
       const isKnown = message.service === '/rosapi/get_time' && this.now !== null;
       send({
