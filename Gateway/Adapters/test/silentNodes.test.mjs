@@ -55,6 +55,15 @@ describe('silent nodes', () => {
     assert.deepEqual(cell.asked[1], ['1']);
   });
 
+  it('Node_SilentForLessThanTheIntervalsOfTheServer_IsNotRead', async () => {
+    const cell = server();
+    cell.nodes.silentMs = 1000;
+
+    const looks = [await cell.look(), await cell.look()];
+
+    assert.deepEqual([looks, cell.asked], [[[], [0, 1]], [['0', '1']]]);
+  });
+
   it('Node_ReadReturnsUnknown_IsLostOnceAndMonitoredAgainWhenRestored', async () => {
     const cell = server();
     cell.answers[0] = bad(StatusCodes.BadNodeIdUnknown);

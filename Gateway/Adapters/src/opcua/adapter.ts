@@ -2,13 +2,13 @@ import './libraryLog';
 import { type UserIdentityInfo, UserTokenType } from 'node-opcua-client';
 import type { AdapterContext } from '../adapter';
 import { Backoff, pause } from '../backoff';
-import { delayOf, STAMP_LAG_MS, unconfirmedAfterMs } from '../samples/silentValues';
+import { delayOf, silentAfterMs, STAMP_LAG_MS, unconfirmedAfterMs } from '../samples/silentValues';
 import { type Nanoseconds, ofMilliseconds } from '../times';
 import { clockOf } from './clockReader';
 import { byNumber, isByUri, NAMESPACES, NO_NODE } from './nodeIds';
 import { reasonNotMonitored } from './nodeValues';
 import { NotificationReader } from './notificationReader';
-import { ReadOnlySession } from './readOnlySession';
+import { type Monitoring, ReadOnlySession } from './readOnlySession';
 import { folderTrouble } from './security/folder';
 import { ownCertificate, type OwnCertificate } from './security/ownCertificate';
 import { thumbprints, TrustList } from './security/trustList';
@@ -17,6 +17,9 @@ import { SilentNodes } from './silentNodes';
 import { Refused, refusalOf } from './troubles';
 import { ServerSilence } from './serverSilence';
 import { certificateMessages, nodeMessages, opcuaMessages } from '../messages/opcua';
+
+/** Interval of sampling or publishing above which headsets show a moving robot mostly as held. They show a sample for about 300 ms. */
+const SLOW_MS = 100;
 
 /** Reads an OPC UA server, and reconnects after failures, until the adapter is stopped. */
 export async function run(context: AdapterContext<OpcUaSettings>): Promise<void> {
@@ -97,9 +100,13 @@ async function attempt(
     );
     reader.samplingMs = monitoring.samplingMs;
     const delayMs = (silent.delayMs = delayOf(monitoring));
+    silent.silentMs = serverSilence.silentMs = silentAfterMs(monitoring);
     context.output.unconfirmedMs = unconfirmedAfterMs(delayMs);
     refuseUnknown(context, reader, silent, monitoring.refusals, lost);
-    if (reader.nodes.length > 0) status.detail('sampling_ms', monitoring.samplingMs);
+    if (reader.nodes.length > 0) {
+      status.detail('sampling_ms', monitoring.samplingMs);
+      status.notice(slownessOf(settings, monitoring), 'server intervals');
+    }
     status.detail('publishing_ms', monitoring.publishingMs);
     isConnected = true;
     status.enter('connected');
@@ -119,6 +126,13 @@ async function attempt(
     await session.close();
   }
   return isConnected;
+}
+
+/** Gets the notice that the server samples or sends too rarely, although the configuration requests shorter intervals; null if it does not. */
+function slownessOf({ samplingMs, publishingMs }: OpcUaSettings, granted: Monitoring): string | null {
+  const isSlow = (requestedMs: number, grantedMs: number): boolean => grantedMs > Math.max(requestedMs, SLOW_MS);
+  if (!isSlow(samplingMs, granted.samplingMs) && !isSlow(publishingMs, granted.publishingMs)) return null;
+  return opcuaMessages.slow(granted.samplingMs, granted.publishingMs);
 }
 
 /**

@@ -50,7 +50,8 @@ export interface NodeValue {
   value: DataValue;
 }
 
-interface Monitoring {
+/** The monitored nodes, and the intervals that the server grants. */
+export interface Monitoring {
   /** For each node, the reason why the server does not monitor it; null if it does. */
   refusals: (string | null)[];
   samplingMs: number;

@@ -1,16 +1,16 @@
 import { isClockStopped, type OfferedClock } from '../clock/offeredClock';
+import { SILENT_MS } from '../samples/silentValues';
 import type { Nanoseconds } from '../times';
 import { clockMessages } from '../messages/gateway';
 import { requestTrouble } from './troubles';
 import { opcuaMessages } from '../messages/opcua';
 
 /**
- * LOOK_MS: interval of the checks while values arrive. QUIET_LOOK_MS: interval after QUIET_MS without any value. It is short, because headsets show a
+ * LOOK_MS: interval of the checks while values arrive. QUIET_LOOK_MS: interval while all values are silent. It is short, because headsets show a
  * sample for only about 300 ms.
  */
 const LOOK_MS = 500;
 const QUIET_LOOK_MS = 60;
-const QUIET_MS = 50;
 
 const SILENCE_MS = 5000;
 const MISSED = 3;
@@ -19,6 +19,8 @@ const MISSED = 3;
 export class ServerSilence {
   #heard = performance.now();
   #valued = -Infinity;
+  /** Time without any value after which all values are silent, ms. */
+  silentMs = SILENT_MS;
 
   alive(): void {
     this.#heard = performance.now();
@@ -49,7 +51,7 @@ export class ServerSilence {
     while (!isOver) {
       await new Promise(resolve => setTimeout(resolve, QUIET_LOOK_MS));
       if (performance.now() - this.#heard > longest) return opcuaMessages.silent(longest / 1000);
-      if (performance.now() - this.#valued < QUIET_MS && performance.now() - looked < LOOK_MS) continue;
+      if (performance.now() - this.#valued < this.silentMs && performance.now() - looked < LOOK_MS) continue;
       looked = performance.now();
       let time: Nanoseconds | null = null;
       try {

@@ -26,6 +26,8 @@ interface NodeState {
 export class SilentNodes {
   /** Maximum delay of a change, ms. */
   delayMs = 0;
+  /** Time without a notification after which a node is read, ms. */
+  silentMs = SILENT_MS;
   readonly #nodes: NodeState[];
   readonly #renewals: Renewals;
 
@@ -67,7 +69,7 @@ export class SilentNodes {
   /** Reads each node without recent notifications. Returns the nodes that still have the value of their last notification. */
   async read(): Promise<Set<number>> {
     const began = this.now();
-    const silent = this.#nodes.flatMap(({ heardAt, isGone }, node) => (isGone || began - heardAt >= SILENT_MS ? [node] : []));
+    const silent = this.#nodes.flatMap(({ heardAt, isGone }, node) => (isGone || began - heardAt >= this.silentMs ? [node] : []));
     const values = silent.length === 0 ? [] : await this.session.readAll(silent.map(node => this.ids[node]));
     const unchanged = new Set<number>();
     for (const [i, node] of silent.entries())

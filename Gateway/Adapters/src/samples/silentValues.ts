@@ -3,7 +3,7 @@
  * control systems that send notifications of changes.
  */
 
-/** Time without a notification after which a value is read. */
+/** Minimum time without a notification after which a value is read. */
 export const SILENT_MS = 60;
 
 /** Maximum time from the stamp of a change until a read request returns the new value, in addition to the sampling interval. */
@@ -19,8 +19,17 @@ const UNCONFIRMED_MS = 1500;
 const LATE_MS = 400;
 const DELAYS = 2;
 
+/** The intervals at which a source samples and sends values, ms. */
+interface Intervals {
+  samplingMs: number;
+  publishingMs: number;
+}
+
 /** Gets the maximum delay of a notification, ms. */
-export const delayOf = ({ samplingMs, publishingMs }: { samplingMs: number; publishingMs: number }): number => SLACK_MS + samplingMs + publishingMs;
+export const delayOf = ({ samplingMs, publishingMs }: Intervals): number => SLACK_MS + samplingMs + publishingMs;
+
+/** Gets the time in ms without a notification after which a value is read. A value that changes causes a notification within the two intervals. */
+export const silentAfterMs = ({ samplingMs, publishingMs }: Intervals): number => Math.max(SILENT_MS, samplingMs + publishingMs);
 
 /** Gets the time in ms without a confirmation after which a value has a fault. Long delays increase it. */
 export const unconfirmedAfterMs = (delayMs: number): number => Math.max(UNCONFIRMED_MS, UNCONFIRMED_MS / 2 + 3 * delayMs);

@@ -72,6 +72,8 @@ const VARIABLES = [
 export class YoubotServer {
   /** Number of received requests by their names. */
   asked = new Map();
+  /** Number of read requests for the values of this server's variables. */
+  valueReads = 0;
   /** Replaces a value before it is sent: receives the value that the server would send, and returns the value that it sends. */
   spoil = (name, sent) => sent;
   isStopped = false;
@@ -90,12 +92,13 @@ export class YoubotServer {
    * @param clockStepUs Resolution of CurrentTime in µs.
    * @param nodesPerRead Maximum number of nodes in a read request.
    * @param itemsPerCall Maximum number of nodes in a request that creates or deletes monitored items.
+   * @param minimumMs Minimum sampling and publishing interval in ms. The default of a Siemens S7-1500 is 1000 ms.
    */
   constructor({
     port = 0, clock = new ControlClock(), security = ['none'], users = null, cycleUs = 10_000, clockStepUs = 0.1, own = null, trusted = null,
-    nodesPerRead = 1000, itemsPerCall = 1000,
+    nodesPerRead = 1000, itemsPerCall = 1000, minimumMs = 1,
   } = {}) {
-    Object.assign(this, { nodesPerRead, itemsPerCall, port, clock, security, users, cycle: BigInt(cycleUs * 1000), clockStep: BigInt(clockStepUs * 1000), own, trusted });
+    Object.assign(this, { nodesPerRead, itemsPerCall, minimumMs, port, clock, security, users, cycle: BigInt(cycleUs * 1000), clockStep: BigInt(clockStepUs * 1000), own, trusted });
   }
 
   get endpoint() { return `opc.tcp://127.0.0.1:${this.port}`; }
@@ -128,6 +131,11 @@ export class YoubotServer {
     this.#server.on('request', request => {
       const name = request.schema.name;
       this.asked.set(name, (this.asked.get(name) ?? 0) + 1);
+      if (name === 'ReadRequest' && request.nodesToRead.some(({ nodeId }) => nodeId.namespace === 1)) this.valueReads++;
+      const atLeast = ms => Math.max(ms, this.minimumMs);
+      if (name === 'CreateSubscriptionRequest') request.requestedPublishingInterval = atLeast(request.requestedPublishingInterval);
+      if (name === 'CreateMonitoredItemsRequest')
+        for (const { requestedParameters: asked } of request.itemsToCreate) asked.samplingInterval = atLeast(asked.samplingInterval);
     });
     await this.#server.initialize();
     this.#build(this.#server.engine.addressSpace);
