@@ -21,6 +21,7 @@ interface Hidden {
   handleReceivedData(): void;
   parseAmsTcpPacket(data: Buffer): void;
   parseAdsNotification(data: Buffer): unknown;
+  onPlcSymbolVersionChanged(data: Buffer | { value: Buffer }): void;
 }
 
 /** An ADS client that cannot write to the PLC, keeps the full resolution of stamps, and closes the connection after an invalid frame. */
@@ -50,6 +51,16 @@ export class ReadOnlyClient extends Client {
     hidden.parseAdsNotification = data => {
       this.onSamples(parseStream(data));
       return parsed(data);
+    };
+    // ads-client would subscribe to the addresses of the old program again before it reports the new one. The PLC may use the freed handles in
+    // another order, so that the values of one variable would arrive as those of another.
+    hidden.onPlcSymbolVersionChanged = data => {
+      const { plcSymbolVersion: before } = this.metaData;
+      const version = (Buffer.isBuffer(data) ? data : data.value).readUInt8();
+      this.metaData.plcSymbolVersion = version;
+      if (before === undefined || before === version) return;
+      this.onSamples = () => {};
+      this.emit('plcSymbolVersionChange', version, before);
     };
     hidden.parseAmsTcpPacket = data => this.#unlessBroken(() => taken(data));
     hidden.handleReceivedData = () =>

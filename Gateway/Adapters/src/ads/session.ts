@@ -83,9 +83,7 @@ export class AdsSession {
     const client = this.#client;
     client.onSamples = stamps => this.#hear(stamps);
     client.on('connectionLost', () => this.#end(this.#whyLost()));
-    client.on('plcSymbolVersionChange', (next, before) => {
-      if (before !== undefined && before !== next) this.#end(adsMessages.newProgram);
-    });
+    client.on('plcSymbolVersionChange', () => this.#end(adsMessages.newProgram));
     client.on('plcRuntimeStateChange', () => this.#reportState());
   }
 

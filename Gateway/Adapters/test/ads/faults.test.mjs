@@ -72,6 +72,19 @@ describe('faults over ADS', { concurrency: 4 }, () => {
     assertMatchesPlc((await statesOf(bridge, count + 20)).slice(count));
   });
 
+  it('Adapter_NewPlcProgramReusesHandles_PublishesNoValueAsAnotherJoint', async t => {
+    const { plc, server, bridge, adapter } = await cell(t, { plc: youBot({ cycleMs: 1 }), more: '  sampling_ms: 1\n' });
+    await clockOf(bridge);
+    const subscriptions = () => server.seen.filter(s => s.command === command.addNotification && s.connection === 1).length, before = subscriptions();
+
+    plc.downloadInPlace();
+
+    await adapter.said(adsMessages.newProgram);
+    assertMatchesPlc(await statesOf(bridge, bridge.jointStates.length + 20));
+    // The adapter must look up the variables first, because they may have other addresses, and the PLC uses the handles of the old ones again.
+    assert.equal(subscriptions(), before);
+  });
+
   it('Adapter_PlcInConfigMode_ReportsTheModeUntilRunMode', async t => {
     const plc = youBot({ cycleMs: 5 });
     plc.systemState = state.config;

@@ -12,6 +12,8 @@ export class Notifications {
   #entries = new Map();
   #waiting = [];
   #next = 1;
+  /** Handles that were freed. They are used again, the last one first. */
+  #free = [];
   #timer;
 
   constructor(plc, send) {
@@ -27,7 +29,7 @@ export class Notifications {
   add(client, server, { indexGroup, indexOffset, length, transmission, maxDelay, cycleTime }) {
     const interval = BigInt(cycleTime) * 100n;
     const whole = interval <= this.#plc.cycle ? this.#plc.cycle : interval - interval % this.#plc.cycle;
-    const handle = this.#next++;
+    const handle = this.#free.pop() ?? this.#next++;
     this.#entries.set(handle, {
       client, server, indexGroup, indexOffset, length, transmission, interval: whole,
       maxDelay: BigInt(maxDelay) * 100n, due: this.#plc.cycleTime() + this.#plc.cycle,
@@ -37,7 +39,9 @@ export class Notifications {
   }
 
   remove(handle) {
-    return this.#entries.delete(handle);
+    const isKnown = this.#entries.delete(handle);
+    if (isKnown) this.#free.push(handle);
+    return isKnown;
   }
 
   /** Removes the notifications of variables that have moved in memory. For each of them the client receives one sample without data. */

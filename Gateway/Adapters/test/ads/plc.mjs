@@ -58,6 +58,11 @@ export class Plc {
     for (const listener of this.downloaded) listener();
   }
 
+  /** Loads a new program that has the same variables at the same memory addresses. Notifications of these addresses continue. */
+  downloadInPlace() {
+    this.version = this.version % 255 + 1;
+  }
+
   #place(variables, first) {
     let offset = first;
     this.#symbols = variables;

@@ -16,13 +16,14 @@ export class AdsServer {
   #downloaded = () => this.#sockets.forEach(s => s.notifications.invalidate());
   #handles = new Map();
   #nextPort = 32905;
+  #connections = 0;
 
   /** `routes` are the AMS Net Ids of the accepted senders. The server closes the connection of any other sender, like TwinCAT without a route. */
   constructor(plc, { netId = '5.24.12.7.1.1', routes } = {}) {
     this.plc = plc;
     this.netId = netId;
     this.routes = routes;
-    /** All received requests, with which tests check that the client wrote nothing. */
+    /** All received requests, with the numbers of their connections. */
     this.seen = [];
     /** While true, the server reads requests but does not respond to them. */
     this.silent = false;
@@ -54,7 +55,7 @@ export class AdsServer {
 
   #serve(socket) {
     const reader = new FrameReader();
-    const connection = { socket, notifications: new Notifications(this.plc, frame => socket.write(frame)) };
+    const connection = { number: ++this.#connections, socket, notifications: new Notifications(this.plc, frame => socket.write(frame)) };
     this.#sockets.add(connection);
     socket.setNoDelay(true);
     socket.on('error', () => {});
@@ -71,7 +72,7 @@ export class AdsServer {
     });
   }
 
-  #take({ kind, data }, { socket, notifications }) {
+  #take({ kind, data }, { number, socket, notifications }) {
     if (this.silent) return;
     if (kind === tcpCommand.openPort) {
       const port = Buffer.alloc(2);
@@ -83,7 +84,7 @@ export class AdsServer {
       const asked = parseAms(data);
       if (this.routes && !this.routes.includes(asked.source.netId)) return void socket.destroy();
       const code = this.#unreachable(asked.target);
-      const reply = code ? Buffer.alloc(0) : this.#reply(asked, notifications);
+      const reply = code ? Buffer.alloc(0) : this.#reply(asked, notifications, number);
       socket.write(answer(asked, reply, code));
     }
   }
@@ -94,10 +95,10 @@ export class AdsServer {
     return error.targetPort;
   }
 
-  #reply(asked, notifications) {
+  #reply(asked, notifications, connection) {
     const { data } = asked;
     const [indexGroup, indexOffset, length] = [0, 4, 8].map(at => data.length >= at + 4 ? data.readUInt32LE(at) : 0);
-    this.seen.push({ command: asked.command, group: indexGroup, port: asked.target.port });
+    this.seen.push({ command: asked.command, group: indexGroup, port: asked.target.port, connection });
     switch (asked.command) {
       case command.readDeviceInfo:
         return Buffer.concat([result(0), Buffer.from([3, 1]), Buffer.from(new Uint16Array([4024]).buffer), Buffer.from('Plc30 App'.padEnd(16, '\0'))]);
