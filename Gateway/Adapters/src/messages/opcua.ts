@@ -61,8 +61,10 @@ export const opcuaMessages = {
 
 /** Reasons why a server refuses this adapter, with the remedy. */
 export const opcuaRefusalMessages = {
-  adapterNotTrusted: (file: string, thumbprint: string) =>
-    `the server does not trust this adapter; accept the certificate ${file}, thumbprint ${thumbprint}, on the server`,
+  adapterNotValidNow: (status: string) =>
+    `the adapter's certificate is not valid at the time of the server's clock (${status}); compare the clocks of server and gateway`,
+  adapterNotTrusted: (status: string, file: string, thumbprint: string) =>
+    `the server does not trust this adapter (${status}); accept the certificate ${file}, thumbprint ${thumbprint}, on the server`,
   user: (name: string) =>
     `the server does not accept the user ${name}; check name and password in plant.user, and the rights of this user on the server`,
   anonymous: 'the server does not accept an anonymous user or this certificate; set plant.user to a user with read access',

@@ -11,10 +11,12 @@ interface Trouble {
   text: string;
 }
 
-const CURES: [RegExp, (settings: OpcUaSettings, own: OwnCertificate) => string][] = [
+/** Patterns of errors, and functions that get the reason with the remedy. `status` is the text that matches the pattern. */
+const CURES: [RegExp, (settings: OpcUaSettings, own: OwnCertificate, status: string) => string][] = [
+  [/BadCertificate(Issuer)?TimeInvalid/, (_, __, status) => opcuaRefusalMessages.adapterNotValidNow(status)],
   [
-    /BadSecurityChecksFailed|BadCertificate|BadSecurityModeRejected/,
-    (_, own) => opcuaRefusalMessages.adapterNotTrusted(own.file, thumbprints(own.getCertificate()).sha1),
+    /BadSecurityChecksFailed|BadCertificate\w*|BadSecurityModeRejected/,
+    (_, own, status) => opcuaRefusalMessages.adapterNotTrusted(status, own.file, thumbprints(own.getCertificate()).sha1),
   ],
   [/BadIdentityTokenRejected|BadUserAccessDenied/, ({ user }) => (user ? opcuaRefusalMessages.user(user.name) : opcuaRefusalMessages.anonymous)],
   [
@@ -29,8 +31,10 @@ const CURES: [RegExp, (settings: OpcUaSettings, own: OwnCertificate) => string][
 export function refusalOf(error: Error, trust: TrustList, settings: OpcUaSettings, own: OwnCertificate): Trouble {
   if (error instanceof Refused) return { isRefusal: true, text: error.message };
   if (trust.refusal !== null) return { isRefusal: true, text: trust.refusal };
-  const cure = CURES.find(([pattern]) => pattern.test(error.message));
-  if (cure !== undefined) return { isRefusal: true, text: cure[1](settings, own) };
+  for (const [pattern, textOf] of CURES) {
+    const status = pattern.exec(error.message)?.[0];
+    if (status !== undefined) return { isRefusal: true, text: textOf(settings, own, status) };
+  }
   const isAway = /ECONN|ENOTFOUND|EHOSTUNREACH|ETIMEDOUT|cannot be established|premature disconnection|rejected by server|socket has been/i.test(
     error.message,
   );

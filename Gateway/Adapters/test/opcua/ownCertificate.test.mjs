@@ -44,6 +44,14 @@ describe('own certificate', () => {
     assertPair(folder);
   });
 
+  it('Certificate_Created_IsValidForAServerWhoseClockIsDaysBehind', async () => {
+    const own = await ownCertificate(temporaryFolder()), { validFrom, validTo } = new X509Certificate(own.getCertificate());
+
+    const days = [validFrom, validTo].map(date => (new Date(date) - Date.now()) / 86_400_000);
+
+    assert.ok(days[0] < -364 && days[1] > 3649, `${validFrom} to ${validTo}`);
+  });
+
   for (const [name, harm] of [
     ['Key_Deleted', ({ key }) => rmSync(key)],
     ['Key_OfAnotherCertificate', ({ key }) => writeFileSync(key, generateKeyPairSync('rsa', { modulusLength: 2048 }).privateKey.export({ type: 'pkcs8', format: 'pem' }))],

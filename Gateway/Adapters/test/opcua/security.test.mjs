@@ -129,7 +129,7 @@ describe('other servers', () => {
 
     const { reason } = await state(s => s.state === 'refused');
 
-    assert.match(reason, like(opcuaRefusalMessages.adapterNotTrusted(ANY, ANY)));
+    assert.match(reason, like(opcuaRefusalMessages.adapterNotTrusted(ANY, ANY, ANY)));
     assert.match(reason, /nowpose\.der, .*\b[0-9a-f]{40}\b/);
     assert.ok(existsSync(join(dirname(path), 'opcua-certificates', 'own', 'nowpose.der')));
   });

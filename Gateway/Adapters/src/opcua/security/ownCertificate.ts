@@ -6,7 +6,10 @@ import { crypto_utils as pki } from 'node-opcua-client';
 import { certificateMessages } from '../../messages/opcua';
 
 const APPLICATION = 'Nowpose';
-const DAYS = 10 * 365;
+/** The certificate is valid from a year ago, because the clock of a PLC may be behind. */
+const DAYS_BEFORE = 365;
+const DAYS_AFTER = 10 * 365;
+const DAY_MS = 86_400_000;
 const KEY_BITS = 2048;
 
 /** Gets the URI of this application. The certificate and each connection contain it, and servers compare the two. */
@@ -43,8 +46,8 @@ async function certify(keyFile: string): Promise<Buffer> {
     subject: `/CN=${APPLICATION}@${hostname()}/O=${APPLICATION}`,
     applicationUri: applicationUri(),
     dns: [hostname()],
-    notBefore: new Date(),
-    validity: DAYS,
+    notBefore: new Date(Date.now() - DAYS_BEFORE * DAY_MS),
+    validity: DAYS_BEFORE + DAYS_AFTER,
     purpose: pki.CertificatePurpose.ForApplication,
   });
   return pki.convertPEMtoDER(cert);
