@@ -4,7 +4,7 @@ import type { Refusal } from '../samples/stampRule';
 import { fieldIn, TopicValues } from '../samples/topicValues';
 import type { Nanoseconds } from '../times';
 import { reportAddress } from './address';
-import { MqttLink } from './link';
+import { type MqttEvents, MqttLink } from './link';
 import type { MqttSettings, TimeField } from './kind';
 import { stampIn } from './stamps';
 import { mqttMessages } from '../messages/broker';
@@ -28,7 +28,7 @@ export async function run(context: AdapterContext<MqttSettings>): Promise<void> 
   status.enter('connecting');
   await clock.doWithout(stopping);
   const values = new TopicValues(configuration.values);
-  const link = new MqttLink(broker, configuration.plant.name, values.topics, {
+  const events: MqttEvents = {
     opened: () => {
       output.restart();
       status.enter('connected');
@@ -46,7 +46,8 @@ export async function run(context: AdapterContext<MqttSettings>): Promise<void> 
       if (isRetained) for (const { index, refusal } of found) if (refusal === undefined) output.explain(index, RETAINED);
     },
     malformed: (topic, problem) => status.refuse('malformed', topic, problem),
-  });
+  };
+  const link = new MqttLink(broker, configuration.plant.name, values.topics, events, {}, false);
   // The broker sends a retained message only once per subscription, and a message that was judged with the previous clock may have been refused.
   clock.stepped = () => {
     output.clockStepped();

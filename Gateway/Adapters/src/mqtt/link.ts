@@ -11,7 +11,8 @@ const GOODBYE_MS = 500;
 /** Maximum packet size in bytes: a robot description of 1 MiB with a margin. */
 const MAX_PACKET = 1024 * 1024 + 64 * 1024;
 
-interface MqttEvents {
+/** Callbacks of a link. */
+export interface MqttEvents {
   /** Called after each connection, after the subscriptions have been sent. */
   opened(): void;
   /** Called before this client disconnects. */
@@ -39,14 +40,19 @@ export class MqttLink {
   #client: MqttClient | null = null;
   /** Whether the last attempt has established a connection. */
   #wasOpen = false;
+  #version: 4 | 5 = 5;
 
-  /** @param name Name of the plant, used in the client identifier. */
+  /**
+   * @param name Name of the plant, used in the client identifier.
+   * @param needsMqtt5 Whether a broker without MQTT 5 cannot be used. Otherwise, MQTT 3.1.1 is used with such a broker.
+   */
   constructor(
     readonly broker: BrokerAddress,
     readonly name: string,
     readonly topics: string[],
     readonly events: MqttEvents,
     readonly options: IClientOptions = {},
+    readonly needsMqtt5 = true,
   ) {}
 
   /** The client; null while it is not connected. */
@@ -72,7 +78,7 @@ export class MqttLink {
     this.#wasOpen = false;
     const client = connect(this.broker.endpoint, this.#options());
     return new Promise(resolve => {
-      let failure: Error | null = null;
+      let failure: (Error & { code?: string | number }) | null = null;
       const leave = (): void => {
         if (client.connected) this.events.leaving?.();
         client.end(false, {}, () => resolve('stopped'));
@@ -89,7 +95,9 @@ export class MqttLink {
         stop.removeEventListener('abort', leave);
         this.#client = null;
         client.end(true);
-        resolve(inWords(failure, this.broker.endpoint, this.#wasOpen));
+        const usesOther = isVersionRefused(failure) && !this.needsMqtt5 && this.#version === 5 && !stop.aborted;
+        if (usesOther) this.#version = 4;
+        resolve(usesOther ? this.#connect(stop) : inWords(failure, this.broker.endpoint, this.#wasOpen));
       });
     });
   }
@@ -106,7 +114,7 @@ export class MqttLink {
   #options(): IClientOptions {
     const { user, authority } = this.broker;
     return {
-      protocolVersion: 5,
+      protocolVersion: this.#version,
       clientId: `nowpose-${this.name}-${randomBytes(4).toString('hex')}`,
       clean: true,
       keepalive: KEEP_ALIVE_S,
@@ -114,7 +122,7 @@ export class MqttLink {
       connectTimeout: CONNECT_MS,
       reconnectPeriod: 0,
       queueQoSZero: false,
-      properties: { maximumPacketSize: MAX_PACKET },
+      ...(this.#version === 5 ? { properties: { maximumPacketSize: MAX_PACKET } } : {}),
       ...(user === null ? {} : { username: user.name, password: user.password }),
       ...(authority === null ? {} : { ca: authority }),
       ...this.options,
@@ -130,7 +138,8 @@ export class MqttLink {
 
   #subscribe(client: MqttClient, topics: string[]): void {
     for (const topic of topics) {
-      // With nl (no local), the broker does not return this client's own messages. Without resubscribe, the client would ignore a second subscription.
+      // With nl (no local, only MQTT 5), the broker does not return this client's own messages. Without resubscribe, the client would ignore a second
+      // subscription.
       const subscription = Object.assign({ [topic]: { qos: 1 as const, nl: true } }, { resubscribe: true });
       client.subscribe(subscription, (error, _, response) => {
         // Ignores the error of a subscription without a response, which fails because the connection ends.
@@ -145,6 +154,8 @@ export class MqttLink {
 const LOGIN_REFUSED = [134, 135, 4, 5];
 const VERSION_REFUSED = [132, 1];
 
+const isVersionRefused = (failure: { code?: string | number } | null): boolean => VERSION_REFUSED.includes(failure?.code as number);
+
 /** @param wasOpen Whether the connection was established. */
 function inWords(failure: (Error & { code?: string | number }) | null, endpoint: string, wasOpen: boolean): string {
   const { code, message = '' } = failure ?? {};
@@ -153,7 +164,7 @@ function inWords(failure: (Error & { code?: string | number }) | null, endpoint:
   if (code === 'ECONNREFUSED') return brokerMessages.refuses(endpoint);
   if (code === 'ENOTFOUND' || code === 'EAI_AGAIN') return brokerMessages.unknownHost(endpoint);
   if (LOGIN_REFUSED.includes(code as number)) return brokerMessages.loginRefused(endpoint);
-  if (VERSION_REFUSED.includes(code as number)) return brokerMessages.noMqtt5(endpoint);
+  if (isVersionRefused(failure)) return brokerMessages.noMqtt5(endpoint);
   if (code === 'ERR_TLS_CERT_ALTNAME_INVALID') return brokerMessages.otherHost(endpoint);
   if (/CERT|UNABLE_TO|SELF_SIGNED/.test(String(code))) return brokerMessages.notTrusted(String(code));
   return brokerMessages.noBroker(endpoint, failure === null ? 'connection closed' : String(code ?? message));
