@@ -47,6 +47,8 @@ sealed class AdapterProcesses : IAsyncDisposable
                 var plant = await AdapterProgram.CheckAsync(file, stop);
                 if (good.Find(other => other.Name == plant.Name) is { } other)
                     bad.Add(AdapterMessages.SameName(file, plant.Name, other.Path));
+                if (plant.SoleConnectionTo is { } machine && good.Find(connected => connected.SoleConnectionTo == machine) is { } first)
+                    bad.Add(AdapterMessages.SecondConnection(file, machine, first.Path));
                 good.Add(plant);
             }
             catch (WrongEntriesException wrong)

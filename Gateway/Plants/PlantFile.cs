@@ -38,6 +38,9 @@ sealed record PlantFile(string Path, string Name, string Summary)
     /// <summary>Whether the adapter offers the plant's clock, with the name of the plant.</summary>
     public bool OffersClock { get; init; } = true;
 
+    /// <summary>The machine to which the adapter connects, if it accepts only one connection from each machine; null otherwise.</summary>
+    public string SoleConnectionTo { get; init; }
+
     /// <summary>Warnings about valid entries of the file, each with the file and the line.</summary>
     public IReadOnlyList<string> Warnings { get; init; } = [];
 

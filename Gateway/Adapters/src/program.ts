@@ -70,6 +70,7 @@ function contentOf(kind: Kind, configuration: CheckedConfiguration): object {
     joints: configuration.joints.map(({ joint }) => joint),
     passes_unlisted: kind.passesUnlisted?.(configuration) ?? false,
     offers_clock: kind.offersClock?.(configuration.settings) ?? true,
+    sole_connection_to: kind.soleConnectionTo?.(configuration.settings) ?? null,
     has_objects: configuration.hasObjects,
     frames: configuration.parents,
     signals: configuration.signals.map(({ signal }) => signal),

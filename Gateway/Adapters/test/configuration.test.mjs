@@ -55,7 +55,7 @@ describe('configuration', () => {
     const { status, out } = await check(t, path, { NOWPOSE_SUPERVISED: '1' }, startProcess);
 
     const [, content] = out.split('\n');
-    assert.deepEqual([status, JSON.parse(content)], [0, { name: 'opcua', joints: ['arm_joint_1', 'arm_joint_2'], passes_unlisted: false, offers_clock: true, has_objects: false, frames: {}, signals: [], robot: null, robots: {}, described_by: {}, warnings: [] }]);
+    assert.deepEqual([status, JSON.parse(content)], [0, { name: 'opcua', joints: ['arm_joint_1', 'arm_joint_2'], passes_unlisted: false, offers_clock: true, sole_connection_to: null, has_objects: false, frames: {}, signals: [], robot: null, robots: {}, described_by: {}, warnings: [] }]);
   });
 
   it('Check_ParentInAnotherNode_PrintsAWarningAndSucceeds', async t => {

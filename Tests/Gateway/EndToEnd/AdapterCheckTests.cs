@@ -33,6 +33,26 @@ public class AdapterCheckTests : PlantFileFixture
         }));
     }
 
+    [TestCase("ads://PLC/1.2.3.4.1.1:852", true, true)]
+    [TestCase("ads://plc-2/1.2.3.4.1.1:851", true, false)]
+    [TestCase("ads://127.0.0.1/1.2.3.4.1.1:851", false, false)]
+    public async Task Check_SecondConnectionToAPlc_IsRefused(string endpoint, bool isDirect, bool isRefused)
+    {
+        string Ads(string name, string endpoint, bool isDirect) => Write(
+            $"plant:\n  kind: ads\n  name: {name}\n  endpoint: {endpoint}\n  plain: true\n{(isDirect ? "  local_net_id: 1.2.3.5.1.1\n" : "")}"
+                + "joints: [{ joint: a, symbol: a }]\n", name + ".yaml");
+        var (first, second) = (Ads("first", "ads://plc/1.2.3.4.1.1:851", true), Ads("second", endpoint, isDirect));
+
+        if (!isRefused)
+        {
+            Assert.That(await AdapterProcesses.CheckAsync([first, second], default), Has.Count.EqualTo(2));
+            return;
+        }
+
+        var wrong = Assert.ThrowsAsync<WrongEntriesException>(() => AdapterProcesses.CheckAsync([first, second], default));
+        Assert.That(wrong.Lines, Is.EqualTo(new[] { AdapterMessages.SecondConnection(second, "plc", first) }));
+    }
+
     [TestCase("kind: opcua\n  endpoint: opc.tcp://127.0.0.1:9", false, true)]
     [TestCase("kind: ros\n  endpoint: ws://127.0.0.1:9", true, true)]
     [TestCase("kind: ros\n  endpoint: ws://127.0.0.1:9", false, false)]

@@ -55,6 +55,8 @@ export const ads: Kind<'ads', AdsSettings> = {
       values: configuration.values.map(({ path, address: { symbol } }) => ({ symbol: symbol!, line: configuration.lineOf([...path, 'symbol']) })),
     };
   },
+  // The router of a TwinCAT system closes the connection of a machine when the same machine connects again. A local router shares one connection.
+  soleConnectionTo: ({ endpoint, local }) => (local === null ? null : endpoint.host.toLowerCase()),
   summary(configuration) {
     const { address, time, samplingMs, publishingMs } = configuration.settings;
     const stamp = time === null ? summaryMessages.adsStamp : summaryMessages.timeVariable(time.symbol);

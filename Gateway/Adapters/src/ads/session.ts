@@ -252,8 +252,11 @@ export class AdsSession {
 
   #whyLost(): string {
     const system = this.#client.metaData.tcSystemState;
-    const { host, netId } = this.settings.endpoint;
-    return system !== undefined && system.adsState !== RUN ? adsMessages.stopped(netId, String(system.adsStateStr)) : adsMessages.ended(host);
+    const { endpoint, local } = this.settings;
+    const { host, netId } = endpoint;
+    return system !== undefined && system.adsState !== RUN
+      ? adsMessages.stopped(netId, String(system.adsStateStr))
+      : adsMessages.ended(host, local?.netId ?? null);
   }
 
   // Removes the notifications if the PLC still responds, and waits for at most GOODBYE_MS.

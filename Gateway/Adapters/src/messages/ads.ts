@@ -34,7 +34,11 @@ export const adsMessages = {
         : `; if it has never responded, add a route to this machine in TwinCAT: `
           + `SYSTEM > Routes > Add, AMS Net Id ${localNetId}, transport TCP_IP, address of this machine`
     }`,
-  ended: (host: string) => `${host} has ended the connection`,
+  /** @param localNetId AMS Net Id of this machine; null if a router on this machine has the connection. */
+  ended: (host: string, localNetId: string | null) =>
+    `${host} has ended the connection${
+      localNetId === null ? '' : '; if this happens again, end other ADS clients on this machine, because the PLC accepts one connection per machine'
+    }`,
   noTimeOfCycle: (symbol: string) => `the time ${symbol} of the same cycle has not arrived`,
   newProgram: 'the PLC has a new program; its variables are looked up again',
   moved: (symbol: string) => `the size of ${symbol} has changed; the PLC's variables are looked up again`,

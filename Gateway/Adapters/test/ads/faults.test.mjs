@@ -1,7 +1,7 @@
 // Tests how an adapter reports faults of a PLC and of its variables, and how it continues after them.
 import assert from 'node:assert/strict';
 import { once } from 'node:events';
-import { createServer } from 'node:net';
+import { connect, createServer } from 'node:net';
 import { describe, it } from 'node:test';
 import { start, startProcess, until } from '../program.mjs';
 import { RosbridgeDouble } from '../rosbridge.mjs';
@@ -83,6 +83,16 @@ describe('faults over ADS', { concurrency: 4 }, () => {
     assertMatchesPlc(await statesOf(bridge, bridge.jointStates.length + 20));
     // The adapter must look up the variables first, because they may have other addresses, and the PLC uses the handles of the old ones again.
     assert.equal(subscriptions(), before);
+  });
+
+  it('Adapter_AnotherClientOfThisMachineConnects_ReportsThatThePlcAcceptsOneConnection', async t => {
+    const { bridge, adapter, port } = await cell(t, { server: { isSole: true } });
+    await statesOf(bridge);
+
+    const other = connect(port, '127.0.0.1').on('error', () => {});
+    t.after(() => other.destroy());
+
+    await adapter.said(`waiting: ${adsMessages.ended('127.0.0.1', '192.168.0.10.1.1')}`);
   });
 
   it('Adapter_PlcInConfigMode_ReportsTheModeUntilRunMode', async t => {

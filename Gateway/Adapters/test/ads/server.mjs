@@ -18,9 +18,13 @@ export class AdsServer {
   #nextPort = 32905;
   #connections = 0;
 
-  /** `routes` are the AMS Net Ids of the accepted senders. The server closes the connection of any other sender, like TwinCAT without a route. */
-  constructor(plc, { netId = '5.24.12.7.1.1', routes } = {}) {
+  /**
+   * `routes` are the AMS Net Ids of the accepted senders. The server closes the connection of any other sender, like TwinCAT without a route. `isSole`
+   * means that a new connection ends the previous ones, like a TwinCAT router does with the connections of one machine.
+   */
+  constructor(plc, { netId = '5.24.12.7.1.1', routes, isSole = false } = {}) {
     this.plc = plc;
+    this.isSole = isSole;
     this.netId = netId;
     this.routes = routes;
     /** All received requests, with the numbers of their connections. */
@@ -55,6 +59,7 @@ export class AdsServer {
 
   #serve(socket) {
     const reader = new FrameReader();
+    if (this.isSole) for (const { socket: previous } of this.#sockets) previous.destroy();
     const connection = { number: ++this.#connections, socket, notifications: new Notifications(this.plc, frame => socket.write(frame)) };
     this.#sockets.add(connection);
     socket.setNoDelay(true);
