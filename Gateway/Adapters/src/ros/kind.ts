@@ -34,6 +34,9 @@ export interface RosSettings {
 /** Gets a frame's name without the leading slash that ROS 1 allowed, and that its tools print. */
 export const bare = (name: unknown): string => (typeof name === 'string' ? name.replace(/^\//, '') : '');
 
+/** Gets the name of a message type in the form of ROS 1, which the rosbridge of ROS 2 also accepts; undefined if the entry is missing or invalid. */
+const ros1TypeOf = (type: string | undefined): string | undefined => type?.replace('/msg/', '/');
+
 export const ros: Kind<'ros', RosSettings> = {
   // The topic and its type are entries of the frame.
   address: ['field'],
@@ -75,8 +78,8 @@ export const ros: Kind<'ros', RosSettings> = {
       tfStatic: topics.tf_static,
       frames: frames
         .filter(({ position }) => position === undefined)
-        .map(({ frame, source = frame, topic = null, type }) => ({ frame, source: bare(source), topic, type })),
-      types: new Map(values.flatMap(({ address: { topic, type } }) => (topic === undefined ? [] : [[topic, type!]]))),
+        .map(({ frame, source = frame, topic = null, type }) => ({ frame, source: bare(source), topic, type: ros1TypeOf(type) })),
+      types: new Map(values.flatMap(({ address: { topic, type } }) => (topic === undefined ? [] : [[topic, ros1TypeOf(type)!]]))),
       world: bare(plant.world),
       namespace: plant.namespace ?? '',
       linkPrefix: bare(plant.link_prefix),
@@ -99,7 +102,7 @@ function requireOneType(file: YamlFile, entries: { path: Path; topic?: string; t
     if (topic === undefined || type === undefined) continue;
     const first = seen.get(topic);
     if (first === undefined) seen.set(topic, { path, type });
-    else if (first.type.replace('/msg/', '/') !== type.replace('/msg/', '/'))
+    else if (ros1TypeOf(first.type) !== ros1TypeOf(type))
       file.report([...path, 'type'], rosMessages.twoTypes(type, file.lineOf([...first.path, 'type']), first.type, topic));
   }
 }

@@ -239,6 +239,14 @@ describe('ros', { concurrency: 4 }, () => {
     await until(() => bridge.state?.state === 'connected' && Number(bridge.state.reconnects) > 0, () => JSON.stringify(bridge.state));
   });
 
+  it('Topics_TypesInTheFormOfRos2_AreSubscribedWithRos1', async t => {
+    const { robot, bridge, adapter } = await cell(t, { ros: 1 }, { rest: `frames: [{ frame: part, topic: /part, type: geometry_msgs/msg/PoseStamped }]
+signals: [{ signal: closed, topic: /closed, type: std_msgs/msg/Bool }]
+` });
+
+    await until(() => robot.isHeardBy('/part') && robot.isHeardBy('/closed'), () => `${JSON.stringify(bridge.state)}\n${adapter.err}`);
+  });
+
   for (const [name, data, isStamped] of [['WithoutHeader', { data: [100, -200, 300, 90, 0, 90] }, false], ['WithHeader', { pose: [100, -200, 300, 90, 0, 90] }, true]])
     it(`Frame_ThreeAngles${name}_IsForwardedAsAQuaternionInItsParent`, async t => {
       const field = isStamped ? 'pose' : 'data';
