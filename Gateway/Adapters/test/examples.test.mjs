@@ -26,7 +26,7 @@ for (const name of names)
 const withRobot = names.map(name => [name, parse(readFileSync(join(folder, name), 'utf8'))]).filter(([, { robot }]) => robot !== undefined);
 
 it('Examples_OfControlSystems_ContainARobot', () =>
-  assert.deepEqual(withRobot.map(([name]) => name).sort(), ['ads-cell.yaml', 'ads.yaml', 'codesys-opcua.yaml', 'mqtt-cell.yaml', 'mqtt.yaml', 'opcua-cell.yaml', 'opcua.yaml', 'ros-cell.yaml', 'rtde.yaml', 'twincat-opcua.yaml']));
+  assert.deepEqual(withRobot.map(([name]) => name).sort(), ['ads-cell.yaml', 'ads.yaml', 'codesys-opcua.yaml', 'mqtt-cell.yaml', 'mqtt.yaml', 'opcua-cell.yaml', 'opcua.yaml', 'ros-cell.yaml', 'rtde.yaml', 'siemens-opcua.yaml', 'twincat-opcua.yaml']));
 
 for (const [name, { robot, robots = {}, joints }] of withRobot)
   for (const [prefix, description] of [['', robot], ...Object.entries(robots).map(([namespace, each]) => [`${namespace}/`, each])])

@@ -92,7 +92,7 @@ export class YoubotServer {
    * @param clockStepUs Resolution of CurrentTime in µs.
    * @param nodesPerRead Maximum number of nodes in a read request.
    * @param itemsPerCall Maximum number of nodes in a request that creates or deletes monitored items.
-   * @param minimumMs Minimum sampling and publishing interval in ms. The default of a Siemens S7-1500 is 1000 ms.
+   * @param minimumMs Minimum sampling and publishing interval in ms. On a Siemens S7-1500, 1000 ms is common.
    */
   constructor({
     port = 0, clock = new ControlClock(), security = ['none'], users = null, cycleUs = 10_000, clockStepUs = 0.1, own = null, trusted = null,
