@@ -39,8 +39,8 @@ public class AdapterFaultTests
     public async Task Adapter_NotConnectedThenSilent_AddsTwoEvents()
     {
         await _gateway.StartAsync();
-        _gateway.Time.Advance(EventList.StartGrace);
         _gateway.Report("adapter/press", ("state", "refused"), ("reason", "the certificate is not trusted"));
+        _gateway.Time.Advance(EventList.StartGrace);
         await _gateway.BeginsAsync("adapter", "press");
         Assert.That(
             (await _gateway.EventAsync("adapter", "press")).GetProperty("reason").GetString(), Is.EqualTo("refused: the certificate is not trusted"));
