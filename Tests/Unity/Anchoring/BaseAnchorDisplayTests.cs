@@ -244,7 +244,7 @@ public class BaseAnchorDisplayTests
         _played.Session.gameObject.AddComponent<FakeSpatialAnchors>();
         _played.PlayLocked();
         _played.Markers.IsBlind = true;
-        _played.Cell.Run(1, _played.Session);
+        _played.Cell.Run(3, _played.Session);
 
         var rows = BaseRows.Of(_played.Anchor.Tracker).Select(row => row.Label + ": " + row.Value).ToList();
 

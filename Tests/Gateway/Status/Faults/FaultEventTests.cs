@@ -62,6 +62,7 @@ public class FaultEventTests
         await Soon.BecomesAsync(
             () => _gateway.Logged("status: the state could not be updated (InvalidOperationException: no status today)"), "it is in the log");
         _gateway.Report("adapter/second", ("state", "refused"));
+        _gateway.Time.Advance(EventList.StartGrace);
         await _gateway.BeginsAsync("adapter", "second");
     }
 
