@@ -3,6 +3,7 @@ using System.Diagnostics;
 namespace Nowpose.Gateway.Clock;
 
 /// <summary>Waits with an accuracy of a fraction of a millisecond: sleeps first, then spins, because a sleep may end a millisecond late.</summary>
+/// <remarks>On Windows, a sleep ends that early only after <see cref="Options.WindowsProcess.SetUp"/>.</remarks>
 public static class PreciseWait
 {
     static readonly TimeSpan SpinLength = TimeSpan.FromMilliseconds(1.5);
