@@ -5,9 +5,20 @@ import { messages } from './messages.mjs';
 
 const { clockMessages } = messages;
 
-const { Resolution, OfferedClock, ofFileTime, toRosTime } = await parts('clock/resolution', 'clock/offeredClock', 'times');
+const { finePause, Resolution, OfferedClock, ofFileTime, toRosTime } = await parts('clock/finePause', 'clock/resolution', 'clock/offeredClock', 'times');
 const MS = 1_000_000n;
 const T = 1_700_000_000_000n * MS;
+
+/** Runs a test as on Windows, where a timer first calls `ends`. */
+function onWindows(t, ends) {
+  const { platform } = process, as = value => Object.defineProperty(process, 'platform', { value });
+  as('win32');
+  t.after(() => as(platform));
+  t.mock.method(globalThis, 'setTimeout', then => {
+    ends();
+    setImmediate(then);
+  });
+}
 
 const observed = (times, between = MS) => {
   const resolution = new Resolution();
@@ -165,6 +176,31 @@ describe('plant clock', () => {
     }
 
     assert.deepEqual([...new Set(observed)], [15_625_000]);
+  });
+
+  // A server on Windows has the same step as the timers of an adapter on Windows, so that each timer would end in a new step.
+  it('Resolution_TimersAsCoarseAsTheClock_IsThatOfTheClock', async t => {
+    const step = 15_625_000n, phase = 5n * MS;
+    let now = 0n;
+    onWindows(t, () => { now = (now / step + 1n) * step; });
+    const clock = new OfferedClock(link(), 'cell', null, () => (now += 10_000n));
+    await clock.attach(async () => {
+      now += MS / 2n;
+      const time = T + (now + phase) / step * step;
+      return { received: time, sent: time };
+    }, never);
+
+    assert.ok(clock.resolution > 14n * MS && clock.resolution <= step, `${clock.resolution} ns`);
+  });
+
+  it('FinePause_SignalAborted_EndsAtOnce', async t => {
+    onWindows(t, () => assert.fail('a timer was started'));
+    const stop = new AbortController();
+
+    const pause = finePause(3, stop.signal, () => 0n);
+    stop.abort();
+
+    await pause;
   });
 
   for (const [step, expected] of [[1000n * MS, [1000n * MS]], [10n * MS, []]])

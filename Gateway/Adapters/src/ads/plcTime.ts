@@ -1,5 +1,5 @@
 import type { AdsSymbol } from 'ads-client';
-import { pause } from '../backoff';
+import { finePause } from '../clock/finePause';
 import type { ClockReading } from '../clock/offeredClock';
 import type { TimeUnit } from '../samples/timeUnit';
 import { type Nanoseconds, ofFileTime } from '../times';
@@ -113,7 +113,7 @@ export class VariableTime implements PlcTime {
     for (let i = 0; i < PROBES; i++) {
       asked.push(this.#value());
       asked[i].catch(() => {});
-      await pause(PROBE_EVERY_MS, never);
+      await finePause(PROBE_EVERY_MS, never);
     }
     const times = (await Promise.all(asked)).sort((a, b) => (a < b ? -1 : 1));
     const steps = times

@@ -1,7 +1,7 @@
-import { pause } from '../backoff';
 import type { GatewayLink } from '../gateway/link';
 import { monotonicTime, type Nanoseconds, NS_PER_MS, toRosTime } from '../times';
 import { ClockBounds } from './clockBounds';
+import { finePause } from './finePause';
 import { GatewayClock } from './gatewayClock';
 import { Resolution } from './resolution';
 import { clockMessages } from '../messages/gateway';
@@ -186,7 +186,7 @@ export class OfferedClock {
       if (this.fixedResolution !== null || reading.resolution !== undefined) break;
       if (reading.sent !== last) changes++;
       last = reading.sent;
-      await pause(BETWEEN_READINGS_MS, stop);
+      await finePause(BETWEEN_READINGS_MS, stop, this.counter);
     }
     this.#measured = this.counter();
   }
