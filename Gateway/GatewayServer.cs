@@ -196,15 +196,7 @@ public sealed class GatewayServer : IAsyncDisposable
 
     async Task StartWebAsync(CancellationToken cancellation)
     {
-        try
-        {
-            await _web.StartAsync(cancellation);
-        }
-        catch (Exception e) when (e is IOException or SocketException)
-        {
-            throw PortListener.Refusal("--ws-port", _options.Bind, _options.WebSocketPort, e.GetBaseException());
-        }
-
+        await _web.StartAsync(cancellation);
         var addresses = _web.Services.GetRequiredService<IServer>().Features.Get<IServerAddressesFeature>();
         WebSocketEndPoint = new IPEndPoint(_options.Bind, new Uri(addresses.Addresses.First()).Port);
         _pairing.Page.SyncPort = SyncEndPoint.Port;

@@ -39,6 +39,7 @@ static class GatewayWeb
         {
             sockets.MaxReadBufferSize = ProtocolLimits.MessageBytes;
             sockets.MaxWriteBufferSize = MaxUnsentBytes;
+            sockets.CreateBoundListenSocket = _ => PortListener.Open("--ws-port", options.Bind, options.WebSocketPort).Server;
         });
         builder.WebHost.ConfigureKestrel(kestrel => Configure(kestrel, options, pending));
         builder.Services.AddSingleton<IConnectionListenerFactory>(

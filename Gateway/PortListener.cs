@@ -19,6 +19,8 @@ static class PortListener
             if (bind.Equals(IPAddress.IPv6Any)) listener.Server.DualMode = true;
             // Does not set the option ReuseAddress. On Unix, .NET sets SO_REUSEADDR when it binds, so a restart need not wait until old connections
             // time out. ReuseAddress also has the effect of SO_REUSEPORT, which would let two gateways share the port.
+            // Windows would otherwise let another program listen on the same port at one of the addresses. Other systems always refuse this.
+            listener.Server.ExclusiveAddressUse = true;
             listener.Start();
             return listener;
         }
@@ -29,15 +31,13 @@ static class PortListener
         }
     }
 
-    /// <summary>Creates the exception for a port that the system refuses to open.</summary>
-    public static IOException Refusal(string option, IPAddress bind, int port, Exception cause) => IsOfThePort(cause)
-        ? new IOException(AddressOptionMessages.PortRefused(option, port, bind, cause.Message), cause)
-        : new IOException(AddressOptionMessages.NotThisMachine(bind, cause.Message), cause);
-
     /// <summary>Whether the port was refused because another process uses it.</summary>
     public static bool IsTaken(IOException refusal) =>
         refusal.InnerException is SocketException { SocketErrorCode: SocketError.AddressAlreadyInUse };
 
-    static bool IsOfThePort(Exception cause) =>
-        cause is not SocketException refused || refused.SocketErrorCode is SocketError.AddressAlreadyInUse or SocketError.AccessDenied;
+    static IOException Refusal(string option, IPAddress bind, int port, SocketException cause) => IsOfThePort(cause)
+        ? new IOException(AddressOptionMessages.PortRefused(option, port, bind, cause.Message), cause)
+        : new IOException(AddressOptionMessages.NotThisMachine(bind, cause.Message), cause);
+
+    static bool IsOfThePort(SocketException cause) => cause.SocketErrorCode is SocketError.AddressAlreadyInUse or SocketError.AccessDenied;
 }

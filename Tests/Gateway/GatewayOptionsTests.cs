@@ -56,6 +56,16 @@ public class GatewayOptionsTests
             Gateways.Options() with { WebSocketPort = gateway.WebSocketEndPoint.Port }, $"--ws-port {gateway.WebSocketEndPoint.Port}");
     }
 
+    [Test]
+    public async Task Start_PortInUseOnAllAddresses_IsRefusedOnOneAddress()
+    {
+        await using var gateway = await Gateways.StartAsync(Lan with { AllowInsecureLan = true });
+
+        Refuse<IOException>(Gateways.Options() with { SyncPort = gateway.SyncEndPoint.Port }, $"--sync-port {gateway.SyncEndPoint.Port}");
+        Refuse<IOException>(
+            Gateways.Options() with { WebSocketPort = gateway.WebSocketEndPoint.Port }, $"--ws-port {gateway.WebSocketEndPoint.Port}");
+    }
+
     [TestCase(0)]
     [TestCase(int.MaxValue)]
     public void Start_RateOutOfRange_IsRefused(int perSecond)
