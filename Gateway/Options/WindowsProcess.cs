@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace Nowpose.Gateway.Options;
 
-/// <summary>Adapts the process to Windows, whose timers differ from those of other systems.</summary>
+/// <summary>Adapts the process to Windows, whose timers and signals differ from those of other systems.</summary>
 public static class WindowsProcess
 {
     const uint TimerStepMs = 1;
@@ -18,6 +18,9 @@ public static class WindowsProcess
         if (!OperatingSystem.IsWindows()) return;
         SetTimerStep();
     }
+
+    /// <summary>Whether the system ends the process as soon as the handler of a signal returns.</summary>
+    public static bool EndsAfter(PosixSignal signal) => OperatingSystem.IsWindows() && signal is PosixSignal.SIGHUP or PosixSignal.SIGTERM;
 
     static void SetTimerStep()
     {
