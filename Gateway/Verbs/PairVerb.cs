@@ -34,7 +34,7 @@ static class PairVerb
                 key == null ? Uri.UriSchemeHttp : Uri.UriSchemeHttps, parsed.GetValue(host), parsed.GetValue(socket), PairingLimits.Path + "/code").Uri;
             var (code, left) = await AskAsync(uri, key, parsed.GetValue(renew), stop);
             using var drawn = new QrCode(code.Text);
-            Console.Out.Write(drawn.Blocks(!Console.IsOutputRedirected));
+            Console.Out.Write(drawn.Blocks(!Console.IsOutputRedirected && WindowsProcess.ShowsEscapeSequences()));
             Console.Out.WriteLine("code " + code.Text);
             // Prints the same digits of the key as the headset shows.
             if (code.Pin != null) Console.Out.WriteLine("key " + code.Pin.Beginning);
