@@ -40,6 +40,18 @@ public class KinematicsVerbTests
             Is.EqualTo(new[] { 1, 0, 0, 0.1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }));
     }
 
+    [Test]
+    public async Task Kinematics_JsonOption_PrintsAsciiOnly()
+    {
+        using var file = new TemporaryFile("<robot name=\"r\"><link name=\"Anna's Träger 🦾\"/></robot>", ".urdf");
+
+        var run = await CliRun.OfAsync("kinematics", file.Path, "--json");
+
+        Assert.That(run.Output, Does.Contain(@"Anna's Tr\u00e4ger"));
+        Assert.That(run.Output.Where(character => !char.IsAscii(character)), Is.Empty);
+        Assert.That(JsonDocument.Parse(run.Output).RootElement.GetProperty("root").GetString(), Is.EqualTo("Anna's Träger 🦾"));
+    }
+
     [TestCase("lead=0", 0, 0.1)]
     [TestCase("lead=0.25", 0.25, 0.6)]
     [TestCase(" lead = 0.3 , follow = -1e-3 ", 0.3, -0.001)]
