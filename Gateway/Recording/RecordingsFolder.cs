@@ -22,7 +22,8 @@ sealed partial class RecordingsFolder(string path)
             if (path == null) return [];
             return
             [
-                .. new DirectoryInfo(path).EnumerateFiles("*.jsonl").Where(IsRecording).OrderByDescending(file => file.LastWriteTimeUtc).Take(MaxListed)
+                .. new DirectoryInfo(path).EnumerateFiles("*.jsonl").Select(Refreshed).Where(IsRecording)
+                    .OrderByDescending(file => file.LastWriteTimeUtc).Take(MaxListed)
                     .Select(file => new StoredRecording(file.Name, file.Length, UtcText.Of(file.LastWriteTimeUtc))),
             ];
         }
@@ -39,6 +40,13 @@ sealed partial class RecordingsFolder(string path)
         if (path == null || !Name().IsMatch(name)) return null;
         var file = new FileInfo(Path.Combine(path, name));
         return IsRecording(file) ? file : null;
+    }
+
+    // In an enumeration, Windows returns the size and the time that an open file had when it was opened.
+    internal static FileInfo Refreshed(FileInfo file)
+    {
+        file.Refresh();
+        return file;
     }
 
     // Excludes files that were deleted after the enumeration, and symbolic links, because a link can point to a file outside the folder.

@@ -71,6 +71,19 @@ public class RecordingsTests
         Assert.That((await GetAsync(gateway, "/operations/recordings/press-20261120T120000Z.jsonl")).Text, Is.EqualTo("12345\n"));
     }
 
+    [Test]
+    public void Refreshed_FileThatHasGrown_HasItsCurrentSize()
+    {
+        var path = Path.Combine(_folder, "press.jsonl");
+        File.WriteAllText(path, "");
+        var file = new FileInfo(path);
+        Assert.That(file.Length, Is.Zero);
+
+        File.WriteAllText(path, "12345\n");
+
+        Assert.That(RecordingsFolder.Refreshed(file).Length, Is.EqualTo(6));
+    }
+
     [TestCase(null, HttpStatusCode.Unauthorized)]
     [TestCase(Gateways.ObserverToken, HttpStatusCode.Forbidden)]
     [TestCase(Gateways.SourceToken, HttpStatusCode.Forbidden)]
