@@ -92,8 +92,8 @@ public static class CertificateFiles
     {
         var names = new SubjectAlternativeNameBuilder();
         names.AddDnsName("localhost");
-        if (Uri.CheckHostName(Environment.MachineName) == UriHostNameType.Dns)
-            names.AddDnsName(Environment.MachineName);
+        foreach (var name in OwnHosts.MachineNames.Where(name => Uri.CheckHostName(name) == UriHostNameType.Dns))
+            names.AddDnsName(name);
         names.AddIpAddress(IPAddress.Loopback);
         names.AddIpAddress(IPAddress.IPv6Loopback);
         return names.Build();

@@ -7,6 +7,10 @@ namespace Nowpose.Gateway.Security;
 /// <summary>The hosts of the gateway's own pages: addresses and names of this machine.</summary>
 static class OwnHosts
 {
+    /// <summary>Names of this machine, the complete one last. On Windows, the first name has at most 15 characters.</summary>
+    public static IReadOnlyList<string> MachineNames { get; } =
+        [.. new[] { Environment.MachineName, Dns.GetHostName() }.Distinct(StringComparer.OrdinalIgnoreCase)];
+
     /// <summary>Whether a page comes from this machine.</summary>
     /// <param name="origin">Origin of the page. Only its host is compared.</param>
     /// <param name="local">Local address of the connection on which the page sends its request.</param>
@@ -28,11 +32,10 @@ static class OwnHosts
         var addresses = AddressesOfThisMachine()
             .Where(address => address.AddressFamily == AddressFamily.InterNetwork || bind.Equals(IPAddress.IPv6Any));
         // Returns the machine's name last, because some networks do not resolve it.
-        return addresses.Select(UrlTextOf).Append(Environment.MachineName);
+        return addresses.Select(UrlTextOf).Append(MachineNames[^1]);
     }
 
-    static IEnumerable<string> NamesOf(IPAddress local) =>
-        IPAddress.IsLoopback(local) ? ["localhost", Environment.MachineName] : [Environment.MachineName];
+    static IEnumerable<string> NamesOf(IPAddress local) => IPAddress.IsLoopback(local) ? ["localhost", .. MachineNames] : MachineNames;
 
     // Omits link-local IPv6 addresses, because they need the name of a network interface, and browsers do not accept such addresses.
     static IEnumerable<IPAddress> AddressesOfThisMachine() =>

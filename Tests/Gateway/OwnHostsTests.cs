@@ -41,6 +41,13 @@ public class OwnHostsTests
         Assert.That(OwnHosts.Of(address), Is.Not.Empty.And.All.Matches<string>(host => OwnHosts.Contain(Page(host), address)));
     }
 
+    [Test]
+    public void Contain_CompleteNameOfThisMachine_IsTrue()
+    {
+        Assert.That(OwnHosts.Contain(Page(Dns.GetHostName()), IPAddress.Parse("192.0.2.7")), Is.True);
+        Assert.That(OwnHosts.Reachable(IPAddress.Any).Last(), Is.EqualTo(OwnHosts.MachineNames[^1]));
+    }
+
     [TestCase("localhost", "192.0.2.7")]
     [TestCase("192.0.2.8", "192.0.2.7")]
     [TestCase("0.0.0.0", "192.0.2.7")]
