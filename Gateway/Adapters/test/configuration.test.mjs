@@ -236,4 +236,12 @@ describe('configuration', () => {
   it('Check_FileWithByteOrderMark_FindsNoError', () => {
     assert.deepEqual(wrongIn(temporaryFile('plant.yaml', `\uFEFF${GOOD}`)), []);
   });
+
+  it('Check_FileInUtf16_FindsNoErrorAndReadsItsSecrets', () => {
+    const utf16 = text => Buffer.from(`\uFEFF${text}\r\n`, 'utf16le');
+    const password = temporaryFile('password', utf16('Größe-4711'));
+    const path = temporaryFile('plant.yaml', utf16(GOOD.replace('joints:', `  user: { name: cell, password_file: '${password}' }\njoints:`)));
+
+    assert.deepEqual(readConfiguration(path, {}, kinds).secrets, ['Größe-4711']);
+  });
 });

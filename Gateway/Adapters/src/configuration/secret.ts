@@ -1,5 +1,6 @@
-import { readFileSync, statSync } from 'node:fs';
+import { statSync } from 'node:fs';
 import { besides } from './besides';
+import { readText } from './textFile';
 import type { Path, YamlFile } from './yamlFile';
 import { fileMessages } from '../messages/configuration';
 
@@ -22,7 +23,7 @@ export function secretText(file: YamlFile, entry: Path, value: string, isSecret:
   const path = besides(file.path, value);
   try {
     const isOpen = isSecret && process.platform !== 'win32' && (statSync(path).mode & 0o007) !== 0;
-    if (!isOpen) return readFileSync(path, 'utf8');
+    if (!isOpen) return readText(path);
     file.report(entry, fileMessages.readableByAll(value, path));
   } catch (error) {
     file.report(entry, fileMessages.notReadable(value, (error as NodeJS.ErrnoException).code));

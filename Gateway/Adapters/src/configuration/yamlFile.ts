@@ -1,6 +1,6 @@
-import { readFileSync } from 'node:fs';
 import { isMap, isNode, isScalar, isSeq, LineCounter, parseDocument, type Document, type Node, type Pair } from 'yaml';
 import { ConfigurationError, type Problem } from './problem';
+import { readText } from './textFile';
 import { fileMessages } from '../messages/configuration';
 
 export type Path = readonly (string | number)[];
@@ -106,7 +106,7 @@ export class YamlFile {
 
 function read(path: string): string {
   try {
-    return readFileSync(path, 'utf8').replace(/^\uFEFF/, '');
+    return readText(path);
   } catch (error) {
     throw new ConfigurationError(path, [{ line: 1, text: fileMessages.configurationNotReadable((error as NodeJS.ErrnoException).code) }]);
   }
