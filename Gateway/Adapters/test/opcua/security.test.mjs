@@ -201,6 +201,14 @@ describe('security in the configuration', () => {
     assert.deepEqual(readdirSync(dirname(good)), ['plant.yaml']);
   });
 
+  // The system's folder for processes has the permissions for root, but accepts no files, like a folder with an access list on Windows.
+  it('Check_CertificateFolderWithoutRoomDespiteItsPermissions_ReportsItsLine', { skip: process.platform !== 'linux' }, async t => {
+    const { status, lines } = await check(t, file('security:', '  folder: /proc'));
+
+    assert.equal(status, 2);
+    assert.match(lines[0], /, line 8: plant\.security\.folder: /);
+  });
+
   it('Check_PasswordFileReadableByAll_RefusesIt', { skip: process.platform === 'win32' }, () => {
     const path = file('user: {name: me, password_file: word}');
     writeFileSync(join(dirname(path), 'word'), 'hush-hush', { mode: 0o644 });

@@ -1,4 +1,5 @@
-import { accessSync, constants, existsSync, statSync } from 'node:fs';
+import { randomUUID } from 'node:crypto';
+import { existsSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { certificateMessages } from '../../messages/opcua';
 
@@ -12,7 +13,7 @@ export function folderTrouble(folder: string, error: Error): string {
 }
 
 /**
- * Checks whether certificates can be stored in a folder. Creates nothing.
+ * Checks whether certificates can be stored in a folder, and leaves no changes.
  * @throws Error Certificates cannot be stored in the folder.
  */
 export function tryFolder(folder: string): void {
@@ -20,6 +21,9 @@ export function tryFolder(folder: string): void {
     let there = join(folder, part);
     while (!existsSync(there)) there = dirname(there);
     if (!statSync(there).isDirectory()) throw Object.assign(new Error(certificateMessages.notFolder(there)), { code: 'ENOTDIR' });
-    accessSync(there, constants.W_OK | constants.X_OK);
+    // Creates a file, because permissions alone do not show whether this is possible: Windows also has access lists.
+    const trial = join(there, randomUUID());
+    writeFileSync(trial, '', { flag: 'wx' });
+    rmSync(trial);
   }
 }
