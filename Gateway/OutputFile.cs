@@ -8,7 +8,7 @@ namespace Nowpose.Gateway;
 /// </summary>
 static class OutputFile
 {
-    /// <summary>Permissions of a file that only its owner may read.</summary>
+    /// <summary>Permissions of a file that only its owner may read. On Windows, a file has the permissions of its folder instead.</summary>
     public const UnixFileMode Secret = UnixFileMode.UserRead | UnixFileMode.UserWrite;
 
     public static void Write(string path, string text) => Write(path, (TextWriter file) => file.Write(text));

@@ -3,7 +3,10 @@ using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Pairing;
 
-/// <summary>Reads and writes the file of paired headsets: text with one line per headset. It is created readable by its owner only.</summary>
+/// <summary>
+/// Reads and writes the file of paired headsets: text with one line per headset. It is created readable by its owner only, on Windows with the
+/// permissions of its folder.
+/// </summary>
 /// <remarks>
 /// Each change replaces the complete file, so that readers need no lock. Processes that change it take turns: each first locks a file beside it, which
 /// stays.
