@@ -14,7 +14,7 @@ static class PrecautionMessages
 
     public static string WeakToken(string where, double bits, double min) =>
         $"security: {where}: the token has a strength of {bits} bits and can be guessed; {min} bits or more are needed; replace it, for "
-        + "example with the output of: openssl rand -hex 32";
+        + "example with the output of: openssl rand -hex 32, or in PowerShell: [guid]::NewGuid().ToString('N')";
 
     public static string ReadableFile(string path, string mode) =>
         $"security: {path} can be read by users other than its owner (mode {mode}); chmod 600 {path}";
