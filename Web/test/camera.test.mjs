@@ -1,10 +1,12 @@
 // Tests that the camera of the 3D view shows all objects, also after objects at wrong positions.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
+import { fileURLToPath } from 'node:url';
 import { buildSync } from 'esbuild';
 import { Box3, Vector3 } from 'three';
 
-const { outputFiles } = buildSync({ entryPoints: [new URL('../src/robot/camera.ts', import.meta.url).pathname], bundle: true, write: false, format: 'esm' });
+const source = fileURLToPath(new URL('../src/robot/camera.ts', import.meta.url));
+const { outputFiles } = buildSync({ entryPoints: [source], bundle: true, write: false, format: 'esm' });
 const { OrbitCamera } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString('base64')}`);
 
 /** A cube with the given edge length around the origin. */

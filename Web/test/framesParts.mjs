@@ -1,7 +1,9 @@
 // Shared by the tests of the cell's frames: messages of poses, and what is drawn.
+import { fileURLToPath } from 'node:url';
 import { buildSync } from 'esbuild';
 
-const { outputFiles } = buildSync({ entryPoints: [new URL('../src/robot/frames.ts', import.meta.url).pathname], bundle: true, write: false, format: 'esm' });
+const source = fileURLToPath(new URL('../src/robot/frames.ts', import.meta.url));
+const { outputFiles } = buildSync({ entryPoints: [source], bundle: true, write: false, format: 'esm' });
 export const { Frames } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString('base64')}`);
 
 export const message = (child, parent, t, x, angle = 0) => JSON.stringify({ msg: { transforms: [{

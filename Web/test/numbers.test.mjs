@@ -1,9 +1,11 @@
 // Tests the statistics and the search of the pages.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
+import { fileURLToPath } from 'node:url';
 import { buildSync } from 'esbuild';
 
-const { outputFiles } = buildSync({ entryPoints: [new URL('../src/numbers.ts', import.meta.url).pathname], bundle: true, write: false, format: 'esm' });
+const source = fileURLToPath(new URL('../src/numbers.ts', import.meta.url));
+const { outputFiles } = buildSync({ entryPoints: [source], bundle: true, write: false, format: 'esm' });
 const { lastUpTo, quantile, statistics } = await import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString('base64')}`);
 
 describe('quantile', () => {
