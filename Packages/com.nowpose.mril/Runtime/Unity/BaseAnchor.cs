@@ -32,8 +32,8 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Codes fixed to the robot's base, with their poses. Empty: the base stays where it is placed by hand.")]
         List<AnchorMarker> _markers = new List<AnchorMarker>();
 
-        [SerializeField, Range(100, 60_000), Tooltip("Minimum time for which the markers are seen before the base is locked, ms. Default 1850: "
-            + "long enough to average out most of the tracker's noise, while the user waits less than 2 s.")]
+        [SerializeField, Range(100, 60_000), Tooltip("Minimum time from the first to the last pose of a marker before the base is locked, ms. "
+            + "Default 1850: long enough to average out most of the tracker's noise, while the user waits less than 2 s.")]
         float _settleMs = 1850;
 
         [FormerlySerializedAs("_oldestMs")]

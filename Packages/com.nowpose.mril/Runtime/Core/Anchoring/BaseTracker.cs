@@ -165,9 +165,10 @@ namespace Nowpose.Anchoring
         internal void Resume(HeadsetTime now)
         {
             _place.Resume(now);
-            if (!Base.HasValue || _markers.Count == 0 || _place.IsConfirmed) return;
+            if (!Base.HasValue || _place.IsConfirmed) return;
             _place.Release(seekAgain: false);
-            Begin();
+            if (_markers.Count > 0) Begin();
+            else if (IsKnown) _state = BaseAnchorState.Restored;
         }
 
         /// <summary>Processes one frame.</summary>
@@ -207,7 +208,7 @@ namespace Nowpose.Anchoring
             _markers.Restart();
             _attempt.Reset();
             _pose.Replace(pose);
-            if (IsKnown) _state = BaseAnchorState.Restored;
+            if (IsKnown) (_state, _isHeldByHand) = (BaseAnchorState.Restored, false);
         }
 
         /// <returns>Whether the marker is being moved by hand.</returns>
@@ -262,11 +263,11 @@ namespace Nowpose.Anchoring
             else if (_state == BaseAnchorState.Moved) _state = Lock != null ? BaseAnchorState.Locked : BaseAnchorState.Restored;
         }
 
-        // No marker was in view, so the previous state is restored. The next marker that comes into view confirms or refutes it.
+        // No marker was in view, so the previous state is restored, unless the origin has moved. The next marker in view confirms or refutes it.
         void Return(RelockedFrom former)
         {
-            _state = former.State == BaseAnchorState.Moved ? (Lock != null ? BaseAnchorState.Locked : BaseAnchorState.Restored) : former.State;
-            _isHeldByHand = former.IsHeldByHand;
+            _state = Lock == null ? BaseAnchorState.Restored : former.State == BaseAnchorState.Moved ? BaseAnchorState.Locked : former.State;
+            _isHeldByHand = Lock != null && former.IsHeldByHand;
             _former = null;
         }
 

@@ -1,5 +1,7 @@
+using System;
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Tests.Core.Anchoring
@@ -22,6 +24,12 @@ namespace Nowpose.Tests.Core.Anchoring
 
         void Lock() => Assert.That(_cell.RunUntilLocked(3), Is.Not.Null);
 
+        void PlaceByHand(BaseTracker tracker, FakeAnchors anchors)
+        {
+            tracker.Tick(_cell.Now, new[] { new MarkerSighting("hand", null, _cell.Base, 0, _cell.Now, MarkerTracking.Placed) }, null, anchors);
+            tracker.Tick(_cell.Now, Array.Empty<MarkerSighting>(), null, anchors);
+        }
+
         static RigidTransform Shift(double metres, double radians = 0) => RigidTransform.FromXyzRpy(metres, 0, 0, 0, 0, radians);
 
         [Test]
@@ -42,6 +50,57 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(Tracker.Shown.Value.DistanceTo(_cell.Base), Is.LessThan(1e-4));
             _cell.IsInView = _ => true;
             Lock();
+        }
+
+        // The search ends after 15 s without a marker, and the lock from before it is not valid any more.
+        [Test]
+        public void Resume_DuringASearchThatEndsWithoutMarkers_IsRestoredNotLocked()
+        {
+            Lock();
+            _cell.Run(1);
+            (_cell.IsInView, _cell.Head) = (_ => false, null);
+            Tracker.Resume(_cell.Now);
+            Tracker.Relock();
+            _cell.Run(1);
+            _anchors.Held[0].Pose = Shift(1.5) * _cell.Base;
+
+            _cell.Run(16);
+
+            Assert.That((Tracker.State, Tracker.Lock), Is.EqualTo((BaseAnchorState.Restored, (LockReport)null)));
+            Assert.That(Tracker.Words, Is.EqualTo(BaseStatusMessages.Restored(hasMarkers: true, null)));
+        }
+
+        [Test]
+        public void Resume_PlacedByHandWithMarkers_MarkersConfirmItAfterAJump()
+        {
+            _cell.IsInView = _ => false;
+            PlaceByHand(Tracker, _anchors);
+            _cell.Run(0.1);
+            Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Locked));
+            Tracker.Resume(_cell.Now);
+            _cell.Base = Shift(1.5) * _cell.Base;
+            _anchors.Held[0].Pose = _cell.Base;
+            _cell.Run(0.5);
+            Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Restored));
+
+            (_cell.IsInView, _cell.Head) = (_ => true, null);
+
+            Lock();
+        }
+
+        [Test]
+        public void Resume_WithoutMarkersAndAnchor_IsRestoredUntilItIsConfirmed()
+        {
+            var tracker = new BaseTracker(new AnchoringSettings());
+            tracker.Use("cell", Array.Empty<BaseMarker>());
+            PlaceByHand(tracker, null);
+            Assert.That(tracker.State, Is.EqualTo(BaseAnchorState.Locked));
+
+            tracker.Resume(_cell.Now);
+            Assert.That(tracker.State, Is.EqualTo(BaseAnchorState.Restored));
+            tracker.Relock();
+
+            Assert.That(tracker.State, Is.EqualTo(BaseAnchorState.Locked));
         }
 
         [Test]
