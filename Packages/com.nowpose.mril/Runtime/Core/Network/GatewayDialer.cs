@@ -52,6 +52,7 @@ namespace Nowpose.Network
                     if (inTime.IsCancellationRequested)
                         throw new GatewayRefusalException(
                             address + ": " + ConnectionMessages.NoResponse(ProtocolLimits.DialTimeout.TotalSeconds), failure);
+                    if (failure is GatewayRefusalException) throw;
                     if (failure.GetBaseException() is SocketException refused)
                         throw new GatewayRefusalException(ConnectionMessages.NotConnected(address, refused.SocketErrorCode), failure);
                     throw;
