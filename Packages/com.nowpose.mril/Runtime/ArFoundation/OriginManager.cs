@@ -62,7 +62,8 @@ namespace Nowpose.ArFoundation
             }
             var subsystem = Manager != null ? _subsystemOf(Manager) : null;
             IsRunning = Manager != null && Manager.isActiveAndEnabled && subsystem != null && subsystem.running;
-            if (Manager != null && subsystem?.running != true) TryAgainWhenXrStarts();
+            if (IsRunning) _wasDisplaying = false;
+            else if (Manager != null && subsystem?.running != true) TryAgainWhenXrStarts();
             var fault = FaultOf(assigned, subsystem);
             if (fault == OriginFault.None) _since = null;
             else if (Time.unscaledTime - (_since ??= Time.unscaledTime) < ReportDelaySeconds) return false;
