@@ -70,7 +70,7 @@ namespace Nowpose.Editor.Setup
             {
                 foreach (var component in Camera.main.transform.root.GetComponentsInChildren<MonoBehaviour>(true))
                 {
-                    if (component == null || component.GetType().Name != "CameraSettingsManager") continue;
+                    if (component == null || !component.enabled || component.GetType().Name != "CameraSettingsManager") continue;
                     var settings = new SerializedObject(component);
                     var isKnown = settings.FindProperty(NearInRig) != null && settings.FindProperty(ModeInRig) != null && settings.FindProperty(ColourInRig) != null;
                     if (isKnown) return settings;
