@@ -25,7 +25,7 @@ static class HeadsetFile
     /// <exception cref="InputException">The file cannot be created or read, or a line is invalid.</exception>
     public static IReadOnlyList<PairedHeadset> Open(string path) => Guarded(path, () =>
     {
-        if (!File.Exists(path)) Rewrite(path, text => text.Length == 0 ? HeadsetListMessages.Head : text);
+        if (!File.Exists(path)) Rewrite(path, text => text.Length == 0 ? HeadsetListMessages.Head : text, mayCreate: true);
         return Load(path);
     });
 
@@ -47,7 +47,7 @@ static class HeadsetFile
     }
 
     /// <summary>Appends the line of a headset.</summary>
-    /// <exception cref="InputException">The file cannot be written.</exception>
+    /// <exception cref="InputException">The file is missing, so that the other headsets would be lost, or cannot be written.</exception>
     public static void Add(string path, PairedHeadset headset) => Rewrite(path, text =>
         // Adds a line end if an editor has saved the last line without one.
         text + (text.Length > 0 && text[^1] != '\n' ? "\n" : "") + headset + "\n");
@@ -76,11 +76,11 @@ static class HeadsetFile
         return headsets;
     }
 
-    static void Rewrite(string path, Func<string, string> change) => Guarded(path, () =>
+    static void Rewrite(string path, Func<string, string> change, bool mayCreate = false) => Guarded(path, () =>
     {
         var target = OutputFile.TargetOf(path);
         using var turn = Lock(target);
-        var content = Encoding.UTF8.GetBytes(change(File.Exists(target) ? Text(target) : ""));
+        var content = Encoding.UTF8.GetBytes(change(mayCreate && !File.Exists(target) ? "" : Text(target)));
         OutputFile.Write(target, file => file.Write(content), OutputFile.Secret);
         return true;
     });

@@ -134,6 +134,7 @@ public sealed class OutputFileTests
 
     void Fill()
     {
+        HeadsetFile.Open(At("headsets.txt"));
         HeadsetFile.Add(At("headsets.txt"), First);
         HeadsetFile.Add(At("headsets.txt"), Second);
     }

@@ -91,9 +91,12 @@ public sealed class PairedHeadsetsTests
 
         var failed = await gateway.ExchangeAsync(code.Token);
         Directory.Delete(gateway.ListPath);
+        // A new file would contain this headset alone, and all others would lose their access.
+        var missing = await gateway.ExchangeAsync(code.Token);
+        await File.WriteAllTextAsync(gateway.ListPath, "");
         var worked = await gateway.ExchangeAsync(code.Token);
 
-        Assert.That(failed.Problem, Is.EqualTo(PairingAnswerMessages.NotSaved));
+        Assert.That((failed.Problem, missing.Problem), Is.EqualTo((PairingAnswerMessages.NotSaved, PairingAnswerMessages.NotSaved)));
         Assert.That(failed.IsWorthRetrying, Is.True);
         Assert.That(worked.Token, Is.Not.Null);
     }
