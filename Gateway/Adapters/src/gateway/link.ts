@@ -142,7 +142,7 @@ export class GatewayLink {
 
   /**
    * Calls a service of the gateway or robot.
-   * @throws Error The link is disconnected, the service does not respond in time, or it refuses the call.
+   * @throws Error The link is disconnected, also during the call, the service does not respond in time, or it refuses the call.
    */
   async call(service: string): Promise<Record<string, unknown>> {
     if (!this.isOpen) throw new Error(gatewayMessages.notConnected(this.name));
@@ -208,6 +208,7 @@ export class GatewayLink {
         clearInterval(repetition);
         stop.removeEventListener('abort', leave);
         this.#socket = null;
+        this.#calls.closed();
         resolve(code > 1000 && code !== 1006 ? `${reason} (${code})` : reason);
       });
     });
@@ -220,7 +221,6 @@ export class GatewayLink {
     for (const topic of this.#topics) this.#send(advertisement(topic));
     for (const service of this.#services.keys()) this.#offer(service);
     this.#subscriptions.opened();
-    this.#calls.opened();
     this.#kept.repeat();
     this.#pump();
     for (const { opened } of this.#watchers) opened?.();

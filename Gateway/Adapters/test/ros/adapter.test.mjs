@@ -71,17 +71,17 @@ describe('ros', { concurrency: 4 }, () => {
     await until(async () => (await bridge.call('/nowpose/plant_time/arm')).result, 'the clock once rosapi runs');
   });
 
-  it('Clock_RosapiEndsDuringACall_IsReadAgainOnANewConnection', async t => {
+  it('Clock_RosapiEndsDuringCallsOfTwoConnections_IsReadAgainOnTheNextOne', async t => {
     const { robot, bridge, adapter } = await cell(t, { ros: 2 });
     const asked = setInterval(() => void bridge.call('/nowpose/plant_time/arm').catch(() => {}), 200);
     t.after(() => clearInterval(asked));
 
+    // The service stays known after a crash of rosapi, so the first call of the next connection also remains without a response.
     robot.endsDuringCalls = true;
-    await adapter.said(like(gatewayMessages.notAnswered('/rosapi/get_time', ANY)));
+    await until(() => Number(bridge.state?.reconnects) > 1, () => `${JSON.stringify(bridge.state)}\n${adapter.err}`);
     robot.endsDuringCalls = false;
 
     await until(async () => (await bridge.call('/nowpose/plant_time/arm')).result, 'the clock');
-    await until(() => Number(bridge.state.reconnects) > 0, () => JSON.stringify(bridge.state));
   });
 
   it('Adapter_Description_IsForwardedAndKept', async t => {
