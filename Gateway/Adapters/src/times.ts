@@ -22,6 +22,9 @@ export function ofRosTime(time: unknown): Nanoseconds | null {
   return Number.isSafeInteger(s) && Number.isSafeInteger(ns) ? BigInt(s as number) * NS_PER_S + BigInt(ns as number) : null;
 }
 
+/** Whether a time has the field names of ROS 1. */
+export const isTimeOfRos1 = (time: unknown): boolean => (time as { secs?: unknown } | null | undefined)?.secs !== undefined;
+
 export const toRosTime = (time: Nanoseconds): RosTime => ({ sec: Number(time / NS_PER_S), nanosec: Number(time % NS_PER_S) });
 
 /** Converts a time in units of 100 ns since 1601. */

@@ -2,10 +2,11 @@ import type { AdapterContext } from '../adapter';
 import { pause } from '../backoff';
 import { GatewayLink } from '../gateway/link';
 import { TopicValues } from '../samples/topicValues';
-import { ofRosTime } from '../times';
+import { isTimeOfRos1, ofRosTime } from '../times';
 import { RosFrames } from './frames';
 import { JointNames } from './jointNames';
 import { JointStates } from './jointStates';
+import { renewing } from './renewals';
 import { RobotDescription } from './robotDescription';
 import { SetPoints } from './setPoints';
 import type { RosSettings } from './kind';
@@ -15,9 +16,6 @@ import { malformedMessages } from '../messages/broker';
 import { rosMessages } from '../messages/ros';
 
 const CLOCK_RETRY_MS = 1000;
-
-/** Interval of the repeated subscriptions to topics without a message. */
-const SUBSCRIBE_AGAIN_MS = 5000;
 
 const GET_TIME = '/rosapi/get_time';
 
@@ -41,6 +39,8 @@ export async function run(context: AdapterContext<RosSettings>): Promise<void> {
   let connection = new AbortController();
   /** Whether the gateway's clock stamps the messages without a header, because the robot's clock is not available yet. */
   let isWithout = false;
+  /** Whether the robot's time has the format of ROS 1. */
+  let isRos1 = false;
   const doWithout = (): void => {
     if (!isWithout) void clock.doWithout(stopping).then(() => topics.check());
     isWithout = true;
@@ -52,9 +52,10 @@ export async function run(context: AdapterContext<RosSettings>): Promise<void> {
     opened: () => {
       status.enter('connected');
       connection = new AbortController();
+      isRos1 = false;
       const ended = AbortSignal.any([stopping, connection.signal]);
       if (settings.hasClock) void attach(ended);
-      void subscribeAgain(ended);
+      void renewing(ended, renew);
     },
     away: reason => {
       connection.abort();
@@ -89,17 +90,14 @@ export async function run(context: AdapterContext<RosSettings>): Promise<void> {
 
   // The rosbridge of ROS 2 selects the durability and the reliability of a subscription from the publishers that exist when it is created. A latched
   // message of a publisher that starts later, and all messages of a best-effort publisher that starts later, would never arrive.
-  async function subscribeAgain(ended: AbortSignal): Promise<void> {
-    for (let connectedMs = SUBSCRIBE_AGAIN_MS; ; connectedMs += SUBSCRIBE_AGAIN_MS) {
-      await pause(SUBSCRIBE_AGAIN_MS, ended);
-      if (ended.aborted) return;
-      robot.renewSilentSubscriptions();
-      description?.check(connectedMs);
-    }
+  function renew(connectedMs: number): void {
+    if (!isRos1) robot.renewSilentSubscriptions();
+    description?.check(connectedMs);
   }
 
   async function readTime() {
     const { time } = await robot.call(GET_TIME);
+    isRos1 = isTimeOfRos1(time);
     const now = ofRosTime(time);
     if (now === null || now <= 0n) throw new Error(rosMessages.noTime(GET_TIME));
     return { received: now, sent: now };

@@ -1,27 +1,14 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { wrongIn } from '../checking.mjs';
-import { start, startProcess, until } from '../program.mjs';
-import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
+import { startProcess, until } from '../program.mjs';
+import { nanoseconds } from '../rosbridge.mjs';
 import { temporaryFile } from '../temporary.mjs';
+import { cell, states } from './cell.mjs';
 import { Robot } from './robot.mjs';
 import { ANY, like, messages } from '../messages.mjs';
 
 const { configurationMessages, gatewayMessages, robotMessages, rosMessages, silenceMessages } = messages;
-
-/** Starts a robot, a test double of the gateway, and an adapter that connects them, with `launch`. Waits until the adapter has subscribed. */
-async function cell(t, options = {}, { plant = '', rest = '', launch = start } = {}) {
-  const robot = options.robot ?? await Robot.start(t, options), bridge = await RosbridgeDouble.start(t);
-  const path = temporaryFile('ros.yaml', `gateway: { url: "${bridge.url}" }\nplant:\n  kind: ros\n  name: arm\n  endpoint: ${robot.url}\n${plant}${rest}`);
-  const adapter = launch(t, [path]);
-  await until(() => robot.isHeardBy('/joint_states') && bridge.clients.length > 0, () => adapter.err);
-  // The adapter forwards no message before the clock of the time stamps is known.
-  if (options.now !== null) await until(async () => (await bridge.call('/nowpose/plant_time/arm')).result, 'the clock');
-  return { robot, bridge, adapter };
-}
-
-const states = (bridge, count = 1) => until(
-  () => bridge.jointStates.length >= count && bridge.jointStates, () => `${count} joint states: ${JSON.stringify(bridge.state)}`);
 
 const plan = (robot, points, options) => robot.publish('/plan', { header: { stamp: robot.time(robot.now()) }, joint_names: ['a'], points }, options);
 
@@ -94,25 +81,6 @@ describe('ros', { concurrency: 4 }, () => {
 
     await until(() => bridge.published('/robot_description').length === 2, 'the description after a reconnection');
     assert.deepEqual(bridge.published('/robot_description'), [{ data: urdf }, { data: urdf }]);
-  });
-
-  it('Subscriptions_PublishersOfRos2StartLater_ReceiveTheirMessages', async t => {
-    const { robot, bridge } = await cell(t), publishing = setInterval(() => robot.jointState(robot.now(), ['a'], [1], [], { isBestEffort: true }), 50);
-    t.after(() => clearInterval(publishing));
-
-    robot.publish('/robot_description', { data: '<robot name="r"/>' }, { isLatched: true });
-
-    await until(() => bridge.published('/robot_description').length > 0, () => JSON.stringify(bridge.state));
-    await states(bridge);
-  });
-
-  it('Subscriptions_TopicHasAMessage_AreNotReplaced', async t => {
-    const { robot } = await cell(t), subscribed = topic => robot.heard.filter(m => m.op === 'subscribe' && m.topic === topic).length;
-
-    robot.jointState(robot.now(), ['a'], [1]);
-    await until(() => subscribed('/robot_description') > 1, 'the repeated subscription');
-
-    assert.equal(subscribed('/joint_states'), 1);
   });
 
   it('Adapter_DescriptionTooLong_IsANoticeUntilAShorterOneArrives', async t => {
