@@ -100,7 +100,7 @@ async function attempt(
     );
     reader.samplingMs = monitoring.samplingMs;
     const delayMs = (silent.delayMs = delayOf(monitoring));
-    silent.silentMs = serverSilence.silentMs = silentAfterMs(monitoring);
+    silent.silentMs = silentAfterMs(monitoring);
     context.output.unconfirmedMs = unconfirmedAfterMs(delayMs);
     refuseUnknown(context, reader, silent, monitoring.refusals, lost);
     if (reader.nodes.length > 0) {
@@ -116,7 +116,8 @@ async function attempt(
       const unchanged = await silent.read();
       if (time !== null) reader.holdNodes(time - lag, unchanged);
     };
-    const reason = await Promise.race([session.ended, serverSilence.detect(context.clock, monitoring.keepAliveMs, session.ended, look)]);
+    const detected = serverSilence.detect(context.clock, monitoring.keepAliveMs, session.ended, () => silent.hasSilent, look);
+    const reason = await Promise.race([session.ended, detected]);
     if (!stopping.aborted) status.enter('waiting', reason);
   } catch (error) {
     const trouble = refusalOf(error as Error, trust, settings, own);

@@ -6,8 +6,8 @@ import { requestTrouble } from './troubles';
 import { opcuaMessages } from '../messages/opcua';
 
 /**
- * LOOK_MS: interval of the checks while values arrive. QUIET_LOOK_MS: interval while all values are silent. It is short, because headsets show a
- * sample for only about 300 ms.
+ * LOOK_MS: interval of the checks while values arrive. QUIET_LOOK_MS: interval between notifications while a node must be read. It is short, because
+ * headsets show a sample for only about 300 ms.
  */
 const LOOK_MS = 500;
 const QUIET_LOOK_MS = 60;
@@ -19,8 +19,6 @@ const MISSED = 3;
 export class ServerSilence {
   #heard = performance.now();
   #valued = -Infinity;
-  /** Time without any value after which all values are silent, ms. */
-  silentMs = SILENT_MS;
 
   alive(): void {
     this.#heard = performance.now();
@@ -34,12 +32,14 @@ export class ServerSilence {
   /**
    * Checks the server until `ended` resolves. Each check also reads the clock. Resolves with the reason when the server no longer responds.
    * @param keepAliveMs Interval of the server's keep-alive messages, ms.
+   * @param hasSilent Whether the next check reads a node.
    * @param look Called in each check with the time just read from the clock; null if the clock has stopped.
    */
   async detect(
     clock: OfferedClock,
     keepAliveMs: number,
     ended: Promise<unknown>,
+    hasSilent: () => boolean,
     look: (time: Nanoseconds | null) => Promise<void>,
   ): Promise<string> {
     const longest = Math.max(SILENCE_MS, MISSED * keepAliveMs);
@@ -51,7 +51,9 @@ export class ServerSilence {
     while (!isOver) {
       await new Promise(resolve => setTimeout(resolve, QUIET_LOOK_MS));
       if (performance.now() - this.#heard > longest) return opcuaMessages.silent(longest / 1000);
-      if (performance.now() - this.#valued < this.silentMs && performance.now() - looked < LOOK_MS) continue;
+      // Frequent notifications confirm the values at rest, too.
+      const isQuiet = performance.now() - this.#valued >= SILENT_MS && hasSilent();
+      if (!isQuiet && performance.now() - looked < LOOK_MS) continue;
       looked = performance.now();
       let time: Nanoseconds | null = null;
       try {

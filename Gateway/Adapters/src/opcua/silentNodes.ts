@@ -66,15 +66,24 @@ export class SilentNodes {
     this.reader.lose(node, refusal);
   }
 
+  /** Whether `read` would read a node now. */
+  get hasSilent(): boolean {
+    return this.#silentAt(this.now()).length > 0;
+  }
+
   /** Reads each node without recent notifications. Returns the nodes that still have the value of their last notification. */
   async read(): Promise<Set<number>> {
     const began = this.now();
-    const silent = this.#nodes.flatMap(({ heardAt, isGone }, node) => (isGone || began - heardAt >= this.silentMs ? [node] : []));
+    const silent = this.#silentAt(began);
     const values = silent.length === 0 ? [] : await this.session.readAll(silent.map(node => this.ids[node]));
     const unchanged = new Set<number>();
     for (const [i, node] of silent.entries())
       if (this.#nodes[node].heardAt < began && (await this.#isUnchanged(node, values[i]))) unchanged.add(node);
     return unchanged;
+  }
+
+  #silentAt(now: number): number[] {
+    return this.#nodes.flatMap(({ heardAt, isGone }, node) => (isGone || now - heardAt >= this.silentMs ? [node] : []));
   }
 
   async #isUnchanged(node: number, value: DataValue): Promise<boolean> {

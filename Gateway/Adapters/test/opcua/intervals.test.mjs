@@ -28,4 +28,20 @@ describe('minimum intervals of an OPC UA server', { concurrency: 2 }, () => {
       await until(() => bridge.state?.publishing_ms === String(minimumMs), () => JSON.stringify(bridge.state));
       assert.equal(bridge.state.notice, notice);
     });
+
+  it('Intervals_Minimum500Ms_JointAtRestIsReadBetweenTheNotificationsOfAnother', async t => {
+    const server = await serverFor(t, { minimumMs: 500 }), samplesOf = joint => bridge.jointStates.filter(({ name }) => name.includes(joint)).length;
+    let last = null;
+    server.spoil = (name, sent) => name === 'arm_joint_2' ? last ??= sent : sent;
+    const { bridge } = await adapterFor(t, server, [...OPEN, 'max_deceleration: 1000'], JOINTS);
+    await until(() => bridge.joint('arm_joint_2')?.state === 'rest', () => JSON.stringify(bridge.state));
+    const before = server.valueReads, count = samplesOf('arm_joint_1');
+
+    await until(() => samplesOf('arm_joint_1') >= count + 8, () => JSON.stringify(bridge.state));
+
+    // In each interval, about seven reads are possible.
+    const reads = server.valueReads - before;
+    assert.ok(reads >= 16, `${reads} reads during 8 samples`);
+    assert.equal(bridge.joint('arm_joint_2').state, 'rest');
+  });
 });
