@@ -35,11 +35,13 @@ export function refusalOf(error: Error, trust: TrustList, settings: OpcUaSetting
     const status = pattern.exec(error.message)?.[0];
     if (status !== undefined) return { isRefusal: true, text: textOf(settings, own, status) };
   }
-  const isAway = /ECONN|ENOTFOUND|EHOSTUNREACH|ETIMEDOUT|cannot be established|premature disconnection|rejected by server|socket has been/i.test(
-    error.message,
-  );
-  return { isRefusal: false, text: isAway ? opcuaMessages.noServer(settings.endpoint) : requestTrouble(error) };
+  return { isRefusal: false, text: isAway(error) ? opcuaMessages.noServer(settings.endpoint) : requestTrouble(error) };
 }
+
+/** Whether no OPC UA server responds. A text with a status, such as `rejected by server: BadTcpServerTooBusy`, is the response of a server. */
+const isAway = ({ message }: Error): boolean =>
+  !/\bBad[A-Z]/.test(message)
+  && /ECONN|ENOTFOUND|EHOSTUNREACH|ETIMEDOUT|cannot be established|premature disconnection|rejected by server|socket has been/i.test(message);
 
 /** Gets the reason why a request of an established connection failed. */
 export const requestTrouble = ({ message }: Error): string => (/timed out/.test(message) ? opcuaMessages.noResponse : message);

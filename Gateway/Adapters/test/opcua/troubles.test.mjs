@@ -4,7 +4,7 @@ import { describe, it } from 'node:test';
 import { messages } from '../messages.mjs';
 import { parts } from '../parts.mjs';
 
-const { opcuaRefusalMessages } = messages;
+const { opcuaMessages, opcuaRefusalMessages } = messages;
 const { refusalOf } = await parts('opcua/troubles');
 
 const own = { file: 'own.der', getCertificate: () => Buffer.from('certificate') };
@@ -22,5 +22,16 @@ describe('troubles of an OPC UA connection', () => {
       const { text, isRefusal } = reported(status);
 
       assert.ok(isRefusal && text.includes(`(${status})`), text);
+    });
+
+  for (const [name, message, isAway] of [
+    ['RejectedWithAStatus', 'The connection has been rejected by server: BadTcpServerTooBusy (0x807d0000)', false],
+    ['RejectedWithoutAStatus', 'The connection may have been rejected by server,\n Err = (premature disconnection 2)', true],
+    ['NotEstablished', 'The connection cannot be established with server opc.tcp://plc:4840 (ECONNREFUSED)', true],
+  ])
+    it(`Connection_${name}_IsReportedAs${isAway ? 'NoServer' : 'ItsStatus'}`, () => {
+      const { text, isRefusal } = refusalOf(new Error(message), { refusal: null }, { endpoint: 'opc.tcp://plc:4840' }, own);
+
+      assert.deepEqual([text, isRefusal], [isAway ? opcuaMessages.noServer('opc.tcp://plc:4840') : message, false]);
     });
 });
