@@ -21,6 +21,7 @@ const HTTP = responds('HTTP/1.1 400 Bad Request\r\nContent-Length: 0\r\n\r\n');
 const KINDS = {
   opcua: port => `opc.tcp://127.0.0.1:${port}\n  ${OPEN}\njoints: [{ joint: a, node: "ns=1;s=a" }]`,
   mqtt: port => `mqtt://127.0.0.1:${port}\njoints: [{ joint: a, topic: a }]`,
+  broker: port => `mqtt://127.0.0.1:${port}\n  direction: publish\n  topic: cell`,
   mqtts: port => `mqtts://localhost:${port}\njoints: [{ joint: a, topic: a }]`,
   otherHost: (port, { certificateFile }) => `mqtts://127.0.0.1:${port}\n  authority_file: "${certificateFile}"\njoints: [{ joint: a, topic: a }]`,
   ros: port => `ws://127.0.0.1:${port}`,
@@ -55,8 +56,10 @@ describe('connections to another program', { concurrency: 4 }, () => {
     ['MqttIsClosed', 'mqtt', closes, port => brokerMessages.noBroker(`mqtt://127.0.0.1:${port}`, ANY)],
     ['MqttIsAnotherProtocol', 'mqtt', HTTP, port => brokerMessages.noBroker(`mqtt://127.0.0.1:${port}`, ANY)],
     ['MqttHasNoTls', 'mqtts', closes, port => brokerMessages.noBroker(`mqtts://localhost:${port}`, ANY)],
-    ['MqttHasVersion3', 'mqtt', responds([0x20, 2, 0, 1]), port => brokerMessages.noMqtt5(`mqtt://127.0.0.1:${port}`)],
-    ['MqttHasNoVersion5', 'mqtt', responds([0x20, 3, 0, 0x84, 0]), port => brokerMessages.noMqtt5(`mqtt://127.0.0.1:${port}`)],
+    ['MqttIsUnavailable', 'mqtt', responds([0x20, 3, 0, 0x88, 0]), port => brokerMessages.refusesWith(`mqtt://127.0.0.1:${port}`, 'Connection refused: Server unavailable')],
+    ['MqttRefusesAllVersions', 'mqtt', responds([0x20, 2, 0, 1]), port => brokerMessages.refusesWith(`mqtt://127.0.0.1:${port}`, 'Connection refused: Unacceptable protocol version')],
+    ['BrokerHasVersion3', 'broker', responds([0x20, 2, 0, 1]), port => brokerMessages.noMqtt5(`mqtt://127.0.0.1:${port}`)],
+    ['BrokerHasNoVersion5', 'broker', responds([0x20, 3, 0, 0x84, 0]), port => brokerMessages.noMqtt5(`mqtt://127.0.0.1:${port}`)],
     ['RosbridgeIsClosed', 'ros', closes, () => gatewayMessages.noServer('rosbridge', 'ECONNRESET')],
     ['RosbridgeIsAWebServer', 'ros', HTTP, () => gatewayMessages.noServer('rosbridge', 'HTTP status 400')],
     ['RosbridgeHasNoTls', 'wss', HTTP, () => gatewayMessages.noServer('rosbridge', 'EPROTO')],
@@ -65,7 +68,7 @@ describe('connections to another program', { concurrency: 4 }, () => {
       const { reason, port } = await reasonOf(t, kind, serve);
 
       assert.match(reason, like(expected(port)));
-      assert.match(reason, /plant\.endpoint|MQTT 5/);
+      assert.match(reason, /plant\.endpoint|mqtt:/);
     });
 
   for (const [name, kind, expected] of [

@@ -97,7 +97,7 @@ export class MqttLink {
         client.end(true);
         const usesOther = isVersionRefused(failure) && !this.needsMqtt5 && this.#version === 5 && !stop.aborted;
         if (usesOther) this.#version = 4;
-        resolve(usesOther ? this.#connect(stop) : inWords(failure, this.broker.endpoint, this.#wasOpen));
+        resolve(usesOther ? this.#connect(stop) : inWords(failure, this.broker.endpoint, this.#wasOpen, this.#version));
       });
     });
   }
@@ -156,15 +156,19 @@ const VERSION_REFUSED = [132, 1];
 
 const isVersionRefused = (failure: { code?: string | number } | null): boolean => VERSION_REFUSED.includes(failure?.code as number);
 
-/** @param wasOpen Whether the connection was established. */
-function inWords(failure: (Error & { code?: string | number }) | null, endpoint: string, wasOpen: boolean): string {
+/**
+ * @param wasOpen Whether the connection was established.
+ * @param version Version of MQTT that was requested, 4 for 3.1.1.
+ */
+function inWords(failure: (Error & { code?: string | number }) | null, endpoint: string, wasOpen: boolean, version: 4 | 5): string {
   const { code, message = '' } = failure ?? {};
   if (/^(keepalive|connack) timeout$/i.test(message)) return brokerMessages.silent(endpoint);
   if (wasOpen) return failure === null || /^(read|write) (ECONNRESET|EPIPE)$/.test(message) ? brokerMessages.closed : message;
   if (code === 'ECONNREFUSED') return brokerMessages.refuses(endpoint);
   if (code === 'ENOTFOUND' || code === 'EAI_AGAIN') return brokerMessages.unknownHost(endpoint);
   if (LOGIN_REFUSED.includes(code as number)) return brokerMessages.loginRefused(endpoint);
-  if (isVersionRefused(failure)) return brokerMessages.noMqtt5(endpoint);
+  if (isVersionRefused(failure) && version === 5) return brokerMessages.noMqtt5(endpoint);
+  if (typeof code === 'number') return brokerMessages.refusesWith(endpoint, message);
   if (code === 'ERR_TLS_CERT_ALTNAME_INVALID') return brokerMessages.otherHost(endpoint);
   if (/CERT|UNABLE_TO|SELF_SIGNED/.test(String(code))) return brokerMessages.notTrusted(String(code));
   return brokerMessages.noBroker(endpoint, failure === null ? 'connection closed' : String(code ?? message));
