@@ -45,8 +45,8 @@ export interface Kind<Name extends KindName = KindName, Settings = unknown> {
   /** Whether the adapter also publishes joints that the configuration does not list. */
   passesUnlisted?(configuration: CheckedConfiguration<Settings>): boolean;
   /**
-   * Gets the machine to which the adapter connects, if it accepts only one connection from each machine; null otherwise. The gateway then refuses a
-   * second file with this machine.
+   * Gets the address to which the adapter connects, if it accepts only one connection from each machine; null otherwise. The gateway then refuses a
+   * second file with this address.
    */
   soleConnectionTo?(settings: Settings): string | null;
   /** Whether the adapter offers the plant's clock, with the name of the plant; true without this function. */

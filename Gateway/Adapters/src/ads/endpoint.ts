@@ -19,6 +19,9 @@ export function parseEndpoint(text: string): AdsEndpoint | undefined {
   return isNetId(endpoint.netId) && isPort(endpoint.tcpPort) && isPort(endpoint.port) ? endpoint : undefined;
 }
 
+/** Gets the address of the router, without the default TCP port. Several PLCs behind one address have different TCP ports. */
+export const routerOf = ({ host, tcpPort }: AdsEndpoint): string => host.toLowerCase() + (tcpPort === ROUTER_TCP_PORT ? '' : `:${tcpPort}`);
+
 /** Whether the string consists of six numbers from 0 to 255. */
 export const isNetId = (text: string): boolean => /^(\d{1,3}\.){5}\d{1,3}$/.test(text) && text.split('.').every(part => Number(part) <= 255);
 

@@ -4,7 +4,7 @@ import type { Silence } from '../configuration/plantFile';
 import { requireTiming } from '../configuration/timing';
 import type { Path } from '../configuration/yamlFile';
 import type { TimeUnit } from '../samples/timeUnit';
-import { type AdsEndpoint, isNetId, parseEndpoint } from './endpoint';
+import { type AdsEndpoint, isNetId, parseEndpoint, routerOf } from './endpoint';
 import type { NamedSymbol } from './symbols';
 import { adsSettingMessages } from '../messages/ads';
 import { summaryMessages } from '../messages/gateway';
@@ -56,7 +56,7 @@ export const ads: Kind<'ads', AdsSettings> = {
     };
   },
   // The router of a TwinCAT system closes the connection of a machine when the same machine connects again. A local router shares one connection.
-  soleConnectionTo: ({ endpoint, local }) => (local === null ? null : endpoint.host.toLowerCase()),
+  soleConnectionTo: ({ endpoint, local }) => (local === null ? null : routerOf(endpoint)),
   summary(configuration) {
     const { address, time, samplingMs, publishingMs } = configuration.settings;
     const stamp = time === null ? summaryMessages.adsStamp : summaryMessages.timeVariable(time.symbol);

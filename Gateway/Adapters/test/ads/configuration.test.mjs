@@ -5,8 +5,10 @@ import { wrongIn } from '../checking.mjs';
 import { check } from '../program.mjs';
 import { temporaryFile } from '../temporary.mjs';
 import { configuration } from './cell.mjs';
+import { parts } from '../parts.mjs';
 import { like, messages } from '../messages.mjs';
 
+const { ads, parseEndpoint } = await parts('ads/endpoint', 'ads/kind');
 const { adsSettingMessages, configurationMessages, summaryMessages } = messages;
 
 describe('ads configuration', () => {
@@ -38,4 +40,13 @@ describe('ads configuration', () => {
 
       assert.ok(lines[0].startsWith(`${path}, ${expected}`), lines[0]);
     });
+
+  for (const [name, endpoint, local, expected] of [
+    ['DefaultPort', 'ads://PLC-1/5.24.12.7.1.1:851', {}, 'plc-1'],
+    ['ExplicitDefaultPort', 'ads://plc-1:48898/5.24.12.7.1.1:852', {}, 'plc-1'],
+    ['OtherPortOfAForwardedAddress', 'ads://10.0.0.1:48899/5.24.12.7.1.1:851', {}, '10.0.0.1:48899'],
+    ['LocalRouter', 'ads://127.0.0.1/5.24.12.7.1.1:851', null, null],
+  ])
+    it(`SoleConnection_${name}_IsThatOfTheRouter`, () =>
+      assert.equal(ads.soleConnectionTo({ endpoint: parseEndpoint(endpoint), local }), expected));
 });
