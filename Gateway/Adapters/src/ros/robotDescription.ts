@@ -22,11 +22,12 @@ export class RobotDescription {
 
   pass(text: unknown): void {
     this.#hasArrived = true;
-    if (typeof text !== 'string' || !text.includes('<robot')) return this.status.refuse('malformed', SUBJECT, malformedMessages.noRobot);
+    const isRobot = typeof text === 'string' && text.includes('<robot');
     // The gateway would report only once that it drops the description.
-    const excess = excessOf(this.topic, text);
+    const excess = isRobot ? excessOf(this.topic, text) : null;
     this.status.notice(excess, SUBJECT);
-    if (excess === null) this.gateway.publishKept(topicOf(this.namespace, ROBOT_DESCRIPTION), description(text));
+    if (!isRobot) this.status.refuse('malformed', SUBJECT, malformedMessages.noRobot);
+    else if (excess === null) this.gateway.publishKept(topicOf(this.namespace, ROBOT_DESCRIPTION), description(text));
   }
 
   /** @param connectedMs Duration of the connection, ms. */

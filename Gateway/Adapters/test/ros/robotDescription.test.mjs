@@ -8,8 +8,8 @@ const { rosMessages } = messages;
 const { RobotDescription } = await parts('ros/robotDescription');
 
 function robot() {
-  const cell = { notice: null, sent: [] };
-  const status = { notice: text => { cell.notice = text; }, refuse: () => {} };
+  const cell = { notice: null, sent: [], refused: 0 };
+  const status = { notice: text => { cell.notice = text; }, refuse: () => { cell.refused++; } };
   cell.description = new RobotDescription('/robot_description', '', { publishKept: (topic, msg) => cell.sent.push([topic, msg]) }, status);
   return cell;
 }
@@ -26,6 +26,15 @@ describe('robot description', () => {
 
     assert.deepEqual([notices, cell.notice], [[null, rosMessages.noDescription('/robot_description')], null]);
     assert.deepEqual(cell.sent, [['/robot_description', { data: '<robot/>' }]]);
+  });
+
+  it('Description_NotARobot_IsRefusedAndNoLongerMissing', () => {
+    const cell = robot();
+    cell.description.check(10_000);
+
+    cell.description.pass('not yet');
+
+    assert.deepEqual([cell.notice, cell.refused, cell.sent], [null, 1, []]);
   });
 
   it('Description_ArrivedBeforeAReconnection_IsNotMissing', () => {
