@@ -48,8 +48,9 @@ export const opcuaMessages = {
   subscriptionEnded: 'the server ended the subscription',
   subscriptionStatus: (status: string) => `the server ended the subscription (${status})`,
   slow: (samplingMs: number, publishingMs: number) =>
-    `the server samples every ${samplingMs} ms and sends every ${publishingMs} ms, less often than requested, so headsets show the robot mostly as `
-    + 'held; lower the minimum sampling and publishing intervals of the server (in TIA Portal: OPC UA > Server)',
+    `the server samples every ${samplingMs} ms and sends every ${publishingMs} ms, less often than requested, so headsets show moving joints and `
+    + 'objects mostly as held; lower the minimum sampling and publishing intervals of the server (in TIA Portal: OPC UA > Server), or set '
+    + 'plant.sampling_ms and plant.publishing_ms to these values',
   silent: (seconds: number) => `nothing was published for ${seconds} s`,
   notReadable: (reason: string) => `the nodes cannot be read: ${reason}`,
   noResponse: 'the server does not respond',

@@ -105,7 +105,8 @@ async function attempt(
     refuseUnknown(context, reader, silent, monitoring.refusals, lost);
     if (reader.nodes.length > 0) {
       status.detail('sampling_ms', monitoring.samplingMs);
-      status.notice(slownessOf(settings, monitoring), 'server intervals');
+      const hasPositions = context.configuration.values.some(({ path }) => path[0] !== 'signals');
+      status.notice(hasPositions ? slownessOf(settings, monitoring) : null, 'server intervals');
     }
     status.detail('publishing_ms', monitoring.publishingMs);
     isConnected = true;

@@ -2,7 +2,9 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { until } from '../program.mjs';
-import { adapterFor, OPEN, serverFor } from './plant.mjs';
+import { RosbridgeDouble } from '../rosbridge.mjs';
+import { temporaryFile } from '../temporary.mjs';
+import { adapterFor, configuration, OPEN, serverFor } from './plant.mjs';
 import { messages } from '../messages.mjs';
 
 const { opcuaMessages } = messages;
@@ -28,6 +30,16 @@ describe('minimum intervals of an OPC UA server', { concurrency: 2 }, () => {
       await until(() => bridge.state?.publishing_ms === String(minimumMs), () => JSON.stringify(bridge.state));
       assert.equal(bridge.state.notice, notice);
     });
+
+  it('Intervals_Minimum500MsForSignals_AreNoNotice', async t => {
+    const server = await serverFor(t, { minimumMs: 500 }), bridge = await RosbridgeDouble.start(t);
+    const text = configuration(bridge.url, server.endpoint, OPEN, []).replace('joints: []', 'signals: [{ signal: open, node: ns=1;s=is_open }]');
+
+    await adapterFor(t, server, [], [], { bridge, path: temporaryFile('signals.yaml', text) });
+
+    await until(() => bridge.state?.publishing_ms === '500', () => JSON.stringify(bridge.state));
+    assert.equal(bridge.state.notice, undefined);
+  });
 
   it('Intervals_Minimum500Ms_JointAtRestIsReadBetweenTheNotificationsOfAnother', async t => {
     const server = await serverFor(t, { minimumMs: 500 }), samplesOf = joint => bridge.jointStates.filter(({ name }) => name.includes(joint)).length;
