@@ -50,6 +50,12 @@ namespace Nowpose.Sync
         /// </summary>
         public bool IsServerCorrection { get; private set; } = true;
 
+        /// <summary>
+        /// Returns the maximum distance of the true offset from the line at its reference time if the suspected exchanges are right; zero without
+        /// suspected exchanges.
+        /// </summary>
+        public TimeSpan MaxSuspectedError(in ClockLine line) => _suspects.Count == 0 ? TimeSpan.Zero : _suspected.MaxError(line);
+
         /// <summary>Classifies an exchange before it is added to the envelope and the line.</summary>
         public ClockChange Judge(in SyncExchange exchange, in ClockLine line, OffsetEnvelope envelope)
         {

@@ -168,9 +168,10 @@ namespace Nowpose.Sync
             _synchronised.Reset();
         }
 
+        bool IsSerious(in SyncExchange exchange) => _estimator.Line.Exchanges == 0 || !exchange.ServerSynchronised || IsStepProbable;
+
         // The estimated error includes the server's error bound, so it remains valid while the server corrects its clock within this bound.
-        bool IsSerious(in SyncExchange exchange) => _estimator.Line.Exchanges == 0 || !exchange.ServerSynchronised
-            || (_detector.Suspects.Count >= SuspectsToConverge && !_detector.IsServerCorrection);
+        bool IsStepProbable => _detector.Suspects.Count >= SuspectsToConverge && !_detector.IsServerCorrection;
 
         // Keeps the previous line, and widens its error bound so that the bound includes the contradiction. If the contradiction is serious, the
         // state becomes converging.
@@ -189,9 +190,12 @@ namespace Nowpose.Sync
         {
             var line = _estimator.Line;
             var proven = _envelope.MaxError(line);
-            var error = EstimatedError(line, proven) + _detector.Suspicion;
+            // While a step is suspected, this exchange allows for it, and either the earlier or the suspected exchanges are right.
+            var suspected = _detector.MaxSuspectedError(line);
+            var bound = (suspected > proven ? suspected : proven) + _detector.Suspicion;
+            var error = IsStepProbable ? bound : EstimatedError(line, proven) + _detector.Suspicion;
             _estimate = new Estimate(
-                line, StateOf(line, error, exchange.ServerSynchronised), proven + _detector.Suspicion, error, exchange.RoundTripTime,
+                line, StateOf(line, error, exchange.ServerSynchronised), bound, error, exchange.RoundTripTime,
                 exchange.Resolution, _estimate.Steps + (stepped ? 1 : 0), _detector.Suspects.Count > 0 || _detector.Suspicion > TimeSpan.Zero);
         }
 
@@ -204,7 +208,7 @@ namespace Nowpose.Sync
 
         ClockState StateOf(in ClockLine line, TimeSpan error, bool isServerSynchronised)
         {
-            if (!isServerSynchronised) return ClockState.Converging;
+            if (!isServerSynchronised || IsStepProbable) return ClockState.Converging;
             if (line.Exchanges >= _settings.ExchangesToSynchronise && _synchronised.Admits(error)) return ClockState.Synchronised;
             return line.Exchanges >= ExchangesToBeCoarse && _coarse.Admits(error) ? ClockState.Coarse : ClockState.Converging;
         }

@@ -187,17 +187,45 @@ namespace Nowpose.Tests.Core.Sync
             var run = NewRun();
             var link = new SimulatedLink(NetworkProfile.Lan, 7, 20);
             run.Run(link, 0, 20);
-            bool IsSuspectedAfter(double at, double stepMs, double longerMs)
+
+            Exchange(run, link, 20, stepMs: 20);
+            Assert.That(run.Clock.IsStepSuspected, Is.True);
+            Exchange(run, link, 20.2, stepMs: 0, longerMs: 50);
+            Assert.That(run.Clock.IsStepSuspected, Is.True, "the round-trip time hides the step");
+            Exchange(run, link, 20.4, stepMs: 0);
+            Assert.That(run.Clock.IsStepSuspected, Is.False);
+        }
+
+        [TestCase(1, ClockState.Synchronised)]
+        [TestCase(2, ClockState.Converging)]
+        public void Model_ExchangesHideASuspectedStep_KeepsStateAndBoundUntilAnExchangeRefutesTheStep(int contradictions, ClockState state)
+        {
+            var run = NewRun();
+            var link = new SimulatedLink(NetworkProfile.Lan, 7, 20);
+            run.Run(link, 0, 20);
+            for (var i = 0; i < contradictions; i++) Exchange(run, link, 20 + i * 0.2, stepMs: 10);
+
+            for (var at = 21; at < 25; at++)
             {
-                (link.Step, link.LongerUpMs, link.LongerDownMs) = (Lengths.Ms(stepMs), longerMs, longerMs);
-                link.TryExchange(HeadsetTime.FromSeconds(at), out var exchange);
-                run.Clock.Add(exchange, out _);
-                return run.Clock.IsStepSuspected;
+                var model = Exchange(run, link, at, stepMs: 10, longerMs: 50);
+
+                Assert.That(model.State, Is.EqualTo(state), at + " s");
+                var errorMs = Math.Abs((model.ReferenceOffset - link.TrueOffset(model.Reference)).TotalMilliseconds);
+                Assert.That(errorMs, Is.GreaterThan(9).And.LessThan(model.ErrorBound.TotalMilliseconds), at + " s");
+                if (state == ClockState.Converging) Assert.That(model.EstimatedError.TotalMilliseconds, Is.GreaterThan(errorMs), at + " s");
             }
 
-            Assert.That(IsSuspectedAfter(20, stepMs: 20, longerMs: 0), Is.True);
-            Assert.That(IsSuspectedAfter(20.2, stepMs: 0, longerMs: 50), Is.True, "the round-trip time hides the step");
-            Assert.That(IsSuspectedAfter(20.4, stepMs: 0, longerMs: 0), Is.False);
+            var refuted = Exchange(run, link, 25, stepMs: 0);
+            Assert.That(refuted.State, Is.EqualTo(ClockState.Synchronised));
+            Assert.That(refuted.ErrorBound.TotalMilliseconds, Is.LessThan(1));
+        }
+
+        static ClockModel Exchange(SyncRun run, SimulatedLink link, double atSeconds, double stepMs, double longerMs = 0)
+        {
+            (link.Step, link.LongerUpMs, link.LongerDownMs) = (Lengths.Ms(stepMs), longerMs, longerMs);
+            link.TryExchange(HeadsetTime.FromSeconds(atSeconds), out var exchange);
+            run.Clock.Add(exchange, out _);
+            return run.Clock.ModelAt(exchange.T4);
         }
 
         [Test]
