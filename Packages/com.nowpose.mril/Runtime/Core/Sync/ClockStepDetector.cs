@@ -22,6 +22,12 @@ namespace Nowpose.Sync
         /// </summary>
         const int InARowAfterCorrection = ClockSynchroniser.ExchangesToBeCoarse;
 
+        /// <summary>
+        /// Maximum time since the newest suspected exchange. If all later exchanges allow for the step for this long, the suspected exchanges were
+        /// erroneous, or the step is too small to be detected in this way. While a step is suspected, the exchanges are quick and the bound is wide.
+        /// </summary>
+        static readonly TimeSpan MaxTimeWithoutSuspects = TimeSpan.FromSeconds(10);
+
         readonly TimeSpan _margin;
         readonly OffsetEnvelope _suspected;
         readonly OffsetShiftWatch _shift = new OffsetShiftWatch();
@@ -73,7 +79,7 @@ namespace Nowpose.Sync
             }
             // A long round-trip time can hide a step: an exchange that allows for the suspected step does not refute it. If the server corrects its
             // clock, exchanges contradict earlier exchanges more often, so only consecutive exchanges count.
-            if (exchange.ServerErrorBound > _margin || !AgreesWithSuspects(exchange)) ForgetSuspects();
+            if (exchange.ServerErrorBound > _margin || !AgreesWithSuspects(exchange) || AreSuspectsOld(exchange.T4)) ForgetSuspects();
             if (!_shift.Judge(exchange, line, envelope)) return ClockChange.None;
             ForgetSuspects();
             _suspects.AddRange(_shift.Since);
@@ -111,6 +117,8 @@ namespace Nowpose.Sync
 
         bool AgreesWithSuspects(in SyncExchange exchange) => _suspects.Count == 0
             || (_suspected.Allows(exchange, default, _margin, includeServerError: true) && !IsOther(exchange.Resolution, _suspects[0].Resolution));
+
+        bool AreSuspectsOld(HeadsetTime now) => _suspects.Count > 0 && now - _suspects[_suspects.Count - 1].T4 > MaxTimeWithoutSuspects;
 
         // A server may estimate its resolution. Such an estimate varies by less than half of its value, which is not a change. A difference below the
         // margin has no effect.

@@ -69,6 +69,18 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         [Test]
+        public void Step_ExchangesWithLongIntervals_IsDetectedByTheThird()
+        {
+            var link = Link("lan", FirstSeed);
+            var run = new SyncRun(new EnvelopeClockEstimator());
+            run.Run(link, 0, 90);
+            link.Step = Lengths.Ms(20);
+            run.Run(link, 90, 90 + 3 * 12, intervalSeconds: 12);
+
+            Assert.That(run.Clock.Steps, Is.EqualTo(1), "seed " + FirstSeed);
+        }
+
+        [Test]
         public void Step_HalfAMillisecondOverWifi_IsUsuallyDetectedWithinSixSeconds()
         {
             var found = 0;

@@ -220,6 +220,27 @@ namespace Nowpose.Tests.Core.Sync
             Assert.That(refuted.ErrorBound.TotalMilliseconds, Is.LessThan(1));
         }
 
+        [Test]
+        public void IsStepSuspected_StepIsHiddenForTenSeconds_IsFalseAndTheContradictionNoLongerCounts()
+        {
+            var run = NewRun();
+            var link = new SimulatedLink(NetworkProfile.Lan, 7, 20);
+            run.Run(link, 0, 20);
+            Exchange(run, link, 20, stepMs: 20);
+
+            for (var at = 21; at < 32; at++)
+            {
+                Exchange(run, link, at, stepMs: 0, longerMs: 50);
+                Assert.That(run.Clock.IsStepSuspected, Is.EqualTo(at < 30), at + " s");
+            }
+
+            Exchange(run, link, 32, stepMs: 20);
+            Exchange(run, link, 32.2, stepMs: 20);
+            Assert.That(run.Clock.Steps, Is.EqualTo(0));
+            Exchange(run, link, 32.4, stepMs: 20);
+            Assert.That(run.Clock.Steps, Is.EqualTo(1));
+        }
+
         static ClockModel Exchange(SyncRun run, SimulatedLink link, double atSeconds, double stepMs, double longerMs = 0)
         {
             (link.Step, link.LongerUpMs, link.LongerDownMs) = (Lengths.Ms(stepMs), longerMs, longerMs);
