@@ -200,7 +200,7 @@ export class OfferedClock {
     const reading = await read();
     const heard = this.counter();
     this.#resolution.observe(reading.sent, asked, heard);
-    // A stopped clock falls behind, which is no step.
+    // A stopped clock falls behind, but has not stepped.
     if (this.#resolution.isStopped) this.#bounds.forget();
     if (this.#bounds.observe(reading.received, reading.sent, asked, heard)) this.stepped();
     return reading;

@@ -1,3 +1,4 @@
+import { isUnknownHost, isUntrusted } from '../connectionErrors';
 import { gatewayMessages } from '../messages/gateway';
 import { WrongKeyError } from './pin';
 
@@ -15,8 +16,8 @@ export function inWords(error: Error, name: string, wasOpen: boolean): string {
   const code = (error as NodeJS.ErrnoException).code;
   if (wasOpen) return RESET.includes(code!) ? gatewayMessages.closed : error.message;
   if (code === 'ECONNREFUSED') return gatewayMessages.refuses;
-  if (code === 'ENOTFOUND' || code === 'EAI_AGAIN') return gatewayMessages.unknownHost(name);
-  if (code?.includes('CERT') || code?.includes('SELF_SIGNED') || code?.includes('UNABLE_TO')) return gatewayMessages.notTrusted(name, code);
+  if (isUnknownHost(code)) return gatewayMessages.unknownHost(name);
+  if (isUntrusted(code)) return gatewayMessages.notTrusted(name, code!);
   if (error instanceof WrongKeyError) return error.message;
   return gatewayMessages.noServer(name, code ?? error.message);
 }

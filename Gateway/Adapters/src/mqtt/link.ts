@@ -1,6 +1,7 @@
 import { randomBytes } from 'node:crypto';
 import { connect, type IClientOptions, type MqttClient } from 'mqtt';
 import { reconnecting } from '../backoff';
+import { isUnknownHost, isUntrusted } from '../connectionErrors';
 import type { BrokerAddress } from './address';
 import { brokerMessages } from '../messages/broker';
 
@@ -165,11 +166,11 @@ function inWords(failure: (Error & { code?: string | number }) | null, endpoint:
   if (/^(keepalive|connack) timeout$/i.test(message)) return brokerMessages.silent(endpoint);
   if (wasOpen) return failure === null || /^(read|write) (ECONNRESET|EPIPE)$/.test(message) ? brokerMessages.closed : message;
   if (code === 'ECONNREFUSED') return brokerMessages.refuses(endpoint);
-  if (code === 'ENOTFOUND' || code === 'EAI_AGAIN') return brokerMessages.unknownHost(endpoint);
+  if (isUnknownHost(code)) return brokerMessages.unknownHost(endpoint);
   if (LOGIN_REFUSED.includes(code as number)) return brokerMessages.loginRefused(endpoint);
   if (isVersionRefused(failure) && version === 5) return brokerMessages.noMqtt5(endpoint);
   if (typeof code === 'number') return brokerMessages.refusesWith(endpoint, message);
   if (code === 'ERR_TLS_CERT_ALTNAME_INVALID') return brokerMessages.otherHost(endpoint);
-  if (/CERT|UNABLE_TO|SELF_SIGNED/.test(String(code))) return brokerMessages.notTrusted(String(code));
+  if (isUntrusted(code)) return brokerMessages.notTrusted(String(code));
   return brokerMessages.noBroker(endpoint, failure === null ? 'connection closed' : String(code ?? message));
 }

@@ -1,4 +1,5 @@
 import { connect, type Socket } from 'node:net';
+import { isUnknownHost } from '../connectionErrors';
 import { monotonicTime, type Nanoseconds } from '../times';
 import { NotRtdeError, PackageReader, type RtdePackage } from './packages';
 import { rtdeMessages } from '../messages/rtde';
@@ -101,13 +102,7 @@ const TIMED_OUT = Object.assign(new Error(), { code: 'ETIMEDOUT' });
 /** Gets the reason why a connection failed, with the remedy. */
 export function unreachable(peer: Peer, error: Error): string {
   const code = codeOf(error);
-  switch (code) {
-    case 'ECONNREFUSED':
-      return rtdeMessages.refuses(at(peer), peer.service ?? 'RTDE');
-    case 'ENOTFOUND':
-    case 'EAI_AGAIN':
-      return rtdeMessages.unknownHost(peer.host);
-    default:
-      return rtdeMessages.noAnswer(at(peer), code);
-  }
+  if (code === 'ECONNREFUSED') return rtdeMessages.refuses(at(peer), peer.service ?? 'RTDE');
+  if (isUnknownHost(code)) return rtdeMessages.unknownHost(peer.host);
+  return rtdeMessages.noAnswer(at(peer), code);
 }
