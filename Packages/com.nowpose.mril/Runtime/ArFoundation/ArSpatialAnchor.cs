@@ -124,8 +124,7 @@ namespace Nowpose.ArFoundation
         {
             if (_anchor.pending) return;
             var place = _anchor.transform;
-            if (_owner.IsRunning) _subsystem ??= _owner.Manager.subsystem;
-            if (_owner.IsRunning && _subsystem != _owner.Manager.subsystem)
+            if (_owner.IsRunning && (_subsystem ??= _owner.Manager.subsystem) != _owner.Manager.subsystem)
             {
                 End(DeviceMessages.AnchorOfEarlierSession);
                 return;

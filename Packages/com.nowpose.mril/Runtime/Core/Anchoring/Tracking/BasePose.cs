@@ -16,7 +16,7 @@ namespace Nowpose.Anchoring.Tracking
         /// <summary>The pose; null if it is unknown.</summary>
         public RigidTransform? Newest { get; private set; }
 
-        /// <summary>Pose from which the next lock is blended in, while there is no pose; null if it is unknown.</summary>
+        /// <summary>Pose from which the next lock is blended in, until the pose is known; null if no such pose is known.</summary>
         public RigidTransform? From { get; private set; }
 
         public RigidTransform? Shown => Newest.HasValue ? _shown.Pose : null;

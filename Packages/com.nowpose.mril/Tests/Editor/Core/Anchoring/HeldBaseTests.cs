@@ -10,25 +10,8 @@ namespace Nowpose.Tests.Core.Anchoring
     /// <summary>
     /// Tests a base whose lock is held by a spatial anchor: hand-over to the anchor, correction, loss, and restoration in another run.
     /// </summary>
-    public class HeldBaseTests
+    public class HeldBaseTests : AnchoredBaseFixture
     {
-        FakeAnchors _anchors;
-        SimulatedMarkers _cell;
-
-        [SetUp]
-        public void Begin()
-        {
-            _anchors = new FakeAnchors();
-            _cell = SimulatedMarkers.Three(1);
-            _cell.Anchors = _anchors;
-        }
-
-        BaseTracker Tracker => _cell.Tracker;
-
-        void Lock() => Assert.That(_cell.RunUntilLocked(3), Is.Not.Null);
-
-        static RigidTransform Shift(double metres, double radians = 0) => RigidTransform.FromXyzRpy(metres, 0, 0, 0, 0, radians);
-
         [Test]
         public void Lock_DeviceHasAnchors_IsHeldAndStoredUnderTheNameOfTheCell()
         {

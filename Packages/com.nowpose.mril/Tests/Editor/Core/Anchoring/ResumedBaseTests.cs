@@ -7,30 +7,13 @@ using NUnit.Framework;
 namespace Nowpose.Tests.Core.Anchoring
 {
     /// <summary>Tests a base after standby, when the origin of the device's poses is often elsewhere.</summary>
-    public class ResumedBaseTests
+    public class ResumedBaseTests : AnchoredBaseFixture
     {
-        FakeAnchors _anchors;
-        SimulatedMarkers _cell;
-
-        [SetUp]
-        public void Begin()
-        {
-            _anchors = new FakeAnchors();
-            _cell = SimulatedMarkers.Three(1);
-            _cell.Anchors = _anchors;
-        }
-
-        BaseTracker Tracker => _cell.Tracker;
-
-        void Lock() => Assert.That(_cell.RunUntilLocked(3), Is.Not.Null);
-
         void PlaceByHand(BaseTracker tracker, FakeAnchors anchors)
         {
             tracker.Tick(_cell.Now, new[] { new MarkerSighting("hand", null, _cell.Base, 0, _cell.Now, MarkerTracking.Placed) }, null, anchors);
             tracker.Tick(_cell.Now, Array.Empty<MarkerSighting>(), null, anchors);
         }
-
-        static RigidTransform Shift(double metres, double radians = 0) => RigidTransform.FromXyzRpy(metres, 0, 0, 0, 0, radians);
 
         [Test]
         public void Resume_AnchorHeld_IsFollowedHoweverFarItMovesAndConfirmedByTheMarkers()
