@@ -16,6 +16,7 @@ public sealed record GatewayOptions
     const int MaxRate = 100_000;
 
     readonly TokenList _adapters;
+    readonly ServerCertificate _certificate;
 
     public GatewayOptions() => _adapters = new TokenList([(AdapterToken, Role.Source)]);
 
@@ -35,7 +36,11 @@ public sealed record GatewayOptions
 
     /// <summary>Certificate with private key, for TLS on both ports; null for plain connections. Its validity dates are not checked.</summary>
     /// <remarks>The newest certificate of <see cref="CertificateFile"/> if that is set.</remarks>
-    public X509Certificate2 Certificate { get => CertificateFile?.Current ?? field; init; }
+    public X509Certificate2 Certificate
+    {
+        get => ServerCertificate?.Certificate;
+        init => _certificate = value == null ? null : new ServerCertificate(value, []);
+    }
 
     /// <summary>File of a certificate that is renewed while the gateway runs; null for a fixed certificate.</summary>
     public CertificateFile CertificateFile { get; init; }
@@ -109,6 +114,8 @@ public sealed record GatewayOptions
     public TimeSpan DrainTimeout { get; init; } = TimeSpan.FromSeconds(5);
     /// <summary>Maximum number of bytes of a dropped message that are skipped. Beyond it, the gateway closes the connection.</summary>
     public int DrainBytes { get; init; } = 16 * 1024 * 1024;
+
+    internal ServerCertificate ServerCertificate => CertificateFile?.Current ?? _certificate;
 
     /// <summary>Expiry of the certificate, UTC, after which headsets refuse it; null without TLS.</summary>
     internal DateTime? CertificateExpires => Certificate?.NotAfter.ToUniversalTime();

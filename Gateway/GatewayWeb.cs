@@ -1,6 +1,6 @@
-using System.Security.Authentication;
 using Microsoft.AspNetCore.Connections;
 using Microsoft.AspNetCore.Server.Kestrel.Core;
+using Microsoft.AspNetCore.Server.Kestrel.Https;
 using Microsoft.AspNetCore.Server.Kestrel.Transport.Sockets;
 using Microsoft.Extensions.Options;
 using Nowpose.Gateway.Security;
@@ -73,12 +73,11 @@ static class GatewayWeb
         listen.Use(next => connection => pending.ServeAsync(connection, next));
         listen.Protocols = HttpProtocols.Http1;
         if (options.Certificate == null) return;
-        listen.UseHttps(https =>
+        listen.UseHttps(new TlsHandshakeCallbackOptions
         {
             // Called for each connection, so that a renewed certificate is used without a restart.
-            https.ServerCertificateSelector = (_, _) => options.Certificate;
-            https.SslProtocols = SslProtocols.Tls12 | SslProtocols.Tls13;
-            https.HandshakeTimeout = options.TokenTimeout;
+            OnConnection = _ => ValueTask.FromResult(options.ServerCertificate.ForConnection()),
+            HandshakeTimeout = options.TokenTimeout,
         });
         listen.Use(next => connection => PendingWebConnections.CompleteHandshakeAsync(connection, next));
     }

@@ -9,8 +9,12 @@ static class KeyFileMessages
         $"{path}: has a different key (pin {pin}), which paired headsets refuse; restore the former key, or restart the gateway and pair "
         + "the headsets again";
 
-    public static string NotValidToday(string path, DateTime from, DateTime to) =>
-        FormattableString.Invariant($"{path}: valid from {from:yyyy-MM-dd} to {to:yyyy-MM-dd}, not today; renew it with the same key; ")
+    public static string NotYetValid(string path, DateTime from, DateTime now) =>
+        FormattableString.Invariant($"{path}: not valid before {from:yyyy-MM-dd HH:mm}, but this machine's time is {now:yyyy-MM-dd HH:mm}; ")
+        + "set the machine's clock";
+
+    public static string Expired(string path, DateTime to, DateTime now) =>
+        FormattableString.Invariant($"{path}: expired on {to:yyyy-MM-dd} (this machine's date: {now:yyyy-MM-dd}); renew it with the same key; ")
         + "a new key would make all pairings invalid";
 
     public static string Unusable(string path, string reason) =>

@@ -17,6 +17,7 @@ static class AdapterProgram
     /// <exception cref="InputException">
     /// The file has invalid entries, which the message lists with their lines, or the program cannot run.
     /// </exception>
+    /// <exception cref="IOException">The machine is too busy for the check.</exception>
     public static async Task<PlantFile> CheckAsync(string file, CancellationToken stop)
     {
         using var process = Start(file, ["--check"], null);
@@ -41,7 +42,7 @@ static class AdapterProgram
         }
         catch (OperationCanceledException) when (!stop.IsCancellationRequested)
         {
-            throw new InputException(AdapterMessages.CheckTooSlow(file, CheckTimeout.TotalSeconds));
+            throw new IOException(AdapterMessages.CheckTooSlow(file, CheckTimeout.TotalSeconds));
         }
         finally
         {
@@ -58,6 +59,8 @@ static class AdapterProgram
         {
             // With this variable, the program ends when its standard input is closed, which also happens when this process is killed.
             process.StartInfo.Environment["NOWPOSE_SUPERVISED"] = "1";
+            // Trusts the certificates of this machine's store too. Without it, Node.js trusts only the authorities on its own list.
+            process.StartInfo.Environment.TryAdd("NODE_USE_SYSTEM_CA", "1");
             access?.AddTo(process.StartInfo.Environment);
         });
     }

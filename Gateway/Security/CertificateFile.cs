@@ -1,4 +1,3 @@
-using System.Security.Cryptography.X509Certificates;
 using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 
@@ -13,7 +12,7 @@ public sealed class CertificateFile
     // Time in which a renewal writes both files, if certificate and key are in separate files.
     static readonly TimeSpan Settles = TimeSpan.FromMilliseconds(500);
 
-    readonly FollowedFile<X509Certificate2> _file;
+    readonly FollowedFile<ServerCertificate> _file;
     readonly CertificatePin _pin;
     readonly string _path;
     readonly string _keyPath;
@@ -21,20 +20,20 @@ public sealed class CertificateFile
     /// <param name="path">Path of a .pfx or .pem file. If the file does not exist, it is created with a new certificate.</param>
     /// <param name="keyPath">Path of the .pem file of the key; null if the key is in the certificate's file.</param>
     /// <param name="log">Receives a line when the file becomes invalid; null for no log.</param>
-    /// <exception cref="InputException">The file cannot be read, has no private key, or is outside its period of validity.</exception>
+    /// <inheritdoc cref="CertificateFiles.LoadOrGenerate"/>
     public CertificateFile(string path, string keyPath, Action<string> log)
     {
         using (var first = CertificateFiles.LoadOrGenerate(path, keyPath))
             _pin = CertificatePin.Of(first);
         (_path, _keyPath) = (path, keyPath);
-        _file = new FollowedFile<X509Certificate2>([path, keyPath], (out string fault) =>
+        _file = new FollowedFile<ServerCertificate>([path, keyPath], (out string fault) =>
         {
             fault = null;
             return Load(path, keyPath);
         }, Settles, log);
     }
 
-    internal X509Certificate2 Current => _file.Current;
+    internal ServerCertificate Current => _file.Current;
 
     /// <summary>Path of the certificate's file.</summary>
     internal string Path => _path;
@@ -45,11 +44,11 @@ public sealed class CertificateFile
     /// <summary>Path of the file that contains the private key.</summary>
     internal string KeyPath => _keyPath ?? _path;
 
-    X509Certificate2 Load(string path, string keyPath)
+    ServerCertificate Load(string path, string keyPath)
     {
         var certificate = CertificateFiles.LoadValid(path, keyPath);
         var pin = CertificatePin.Of(certificate);
-        if (pin.Equals(_pin)) return certificate;
+        if (pin.Equals(_pin)) return new ServerCertificate(certificate, CertificateFiles.All(path));
         certificate.Dispose();
         throw new InputException(KeyFileMessages.OtherKey(path, pin));
     }

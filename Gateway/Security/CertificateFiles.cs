@@ -31,7 +31,8 @@ public static class CertificateFiles
     /// <summary>Loads a .pfx file without a password or a .pem file. If the file does not exist, creates it with a new certificate.</summary>
     /// <param name="path">Path of the certificate's file.</param>
     /// <param name="keyPath">Path of the .pem file of the key; null if the key is in the certificate's file.</param>
-    /// <exception cref="InputException">The file cannot be read, has no private key, or is outside its period of validity.</exception>
+    /// <exception cref="InputException">The file cannot be read, has no private key, or its certificate has expired.</exception>
+    /// <exception cref="IOException">The certificate is not valid yet, according to this machine's clock.</exception>
     public static X509Certificate2 LoadOrGenerate(string path, string keyPath)
     {
         if (!File.Exists(path) && keyPath == null)
@@ -45,9 +46,19 @@ public static class CertificateFiles
     {
         var certificate = Load(path, keyPath);
         var now = DateTime.Now;
-        if (now < certificate.NotBefore || now > certificate.NotAfter)
-            throw new InputException(KeyFileMessages.NotValidToday(path, certificate.NotBefore, certificate.NotAfter));
+        // A machine without a battery for its clock starts with an old time. A restart succeeds once the time is right.
+        if (now < certificate.NotBefore) throw new IOException(KeyFileMessages.NotYetValid(path, certificate.NotBefore, now));
+        if (now > certificate.NotAfter) throw new InputException(KeyFileMessages.Expired(path, certificate.NotAfter, now));
         return certificate;
+    }
+
+    /// <summary>Gets all certificates of a valid file: the gateway's own one and those of its issuers, if the file contains them.</summary>
+    internal static X509Certificate2Collection All(string path)
+    {
+        if (IsPfx(path)) return X509CertificateLoader.LoadPkcs12CollectionFromFile(path, null);
+        var all = new X509Certificate2Collection();
+        all.ImportFromPemFile(path);
+        return all;
     }
 
     static X509Certificate2 Load(string path, string keyPath)

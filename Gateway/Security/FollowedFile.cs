@@ -68,7 +68,7 @@ sealed class FollowedFile<T>
             _faultOfValue = fault == null ? null : fault + AccessMessages.OtherLinesUsed;
             SetFault(_faultOfValue);
         }
-        catch (InputException fault)
+        catch (Exception fault) when (fault is InputException or IOException)
         {
             if (IsChangedSince(stamps)) return;
             // Keeps the old stamps, so that the next access tries again: the file may only have been locked.

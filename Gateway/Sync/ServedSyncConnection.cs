@@ -105,11 +105,7 @@ sealed class ServedSyncConnection
             return Exchange(stream, deadline);
         _awaited = Closure.TlsHandshake;
         using var secure = new SslStream(stream);
-        secure.AuthenticateAsServer(new SslServerAuthenticationOptions
-        {
-            ServerCertificate = _options.Certificate,
-            EnabledSslProtocols = SslProtocols.Tls12 | SslProtocols.Tls13,
-        });
+        secure.AuthenticateAsServer(_options.ServerCertificate.ForConnection());
         _pending.CompleteHandshake();
         return Exchange(secure, deadline);
     }

@@ -53,6 +53,18 @@ public class CertificateFilesTests
         Assert.That(error.Message, Does.Contain(path).And.Contain("2021-01-02"));
     }
 
+    [Test]
+    public void LoadOrGenerate_NotValidYet_ThrowsAnErrorThatARestartMayCorrect()
+    {
+        var path = Path.Combine(_folder, "early.pfx");
+        using var early = CertificateFiles.Generate(DateTimeOffset.UtcNow.AddDays(2), DateTimeOffset.UtcNow.AddDays(20));
+        File.WriteAllBytes(path, early.Export(X509ContentType.Pfx));
+
+        var error = Assert.Throws<IOException>(() => CertificateFiles.LoadOrGenerate(path, null));
+
+        Assert.That(error.Message, Does.Contain(early.NotBefore.ToString("yyyy-MM-dd")).And.Contain("clock"));
+    }
+
     [TestCase("bad.pfx")]
     [TestCase("bad.pem")]
     public void LoadOrGenerate_FileIsNotACertificate_ThrowsWithAOneLineMessage(string name)

@@ -19,6 +19,23 @@ public class FollowedFileTests
     [TearDown]
     public void TearDown() => File.Delete(_path);
 
+    [Test]
+    public void File_UnusableForAWhile_KeepsTheFormerContentAndLogsTheReason()
+    {
+        var file = new FollowedFile<string>(
+            [_path],
+            (out string part) =>
+            {
+                part = null;
+                return File.ReadAllText(_path) is "first" and var text ? text : throw new IOException("not valid yet");
+            },
+            TimeSpan.Zero, _log.Add);
+        File.WriteAllText(_path, "a later text");
+
+        Assert.That(file.Current, Is.EqualTo("first"));
+        Assert.That(_log, Has.Exactly(1).Contains("not valid yet"));
+    }
+
     /// <summary>An editor truncates the file before it writes the new text. The incomplete text must be neither used nor reported.</summary>
     [TestCase("")]
     [TestCase("half a ", "the file ends too early")]
