@@ -22,6 +22,9 @@ public sealed record GatewayOptions
 
     public IPAddress Bind { get; init; } = IPAddress.Loopback;
 
+    /// <summary>Other host names and addresses under which browsers open the gateway's pages, beside those of this machine.</summary>
+    public IReadOnlyList<string> HostNames { get; init; } = [];
+
     /// <summary>
     /// Name of the plant's clock that is C1. Null selects the first clock that an adapter offers, and the gateway's own clock until then.
     /// <see cref="PlantClocks.Own"/> always selects the gateway's own clock.

@@ -43,5 +43,6 @@ static class AddressOptionMessages
         "--skew-ppm: needs --own-clock monotonic, because the system clock has its own rate. Remove one of the two options";
 
     public static string NotAnAddress(string text) => $"--bind: '{text}' is not an address; allowed: an IP address, localhost and any.";
+    public static string NotAHost(string text) => $"--host-names: '{text}' is not a host; allowed: names and IP addresses, separated by commas.";
     public static string SecondsOutOfRange(string text, double max) => $"--clock-start-s: '{text}' is out of range; allowed: 0 to {max} s.";
 }

@@ -23,12 +23,12 @@ sealed class AccessRule(GatewayOptions options, BrowserSessions sessions)
         return origins.Count == 1 && Uri.TryCreate(origins[0], UriKind.Absolute, out var origin)
             && origin.Scheme == Scheme
             && origin.Port == context.Connection.LocalPort
-            && OwnHosts.Contain(origin, context.Connection.LocalIpAddress);
+            && OwnHosts.Contain(origin, context.Connection.LocalIpAddress, options.HostNames);
     }
 
     /// <summary>Gets a list of the origins that <see cref="IsOriginAllowed"/> accepts, such as "http://10.0.0.7:47011, http://cell:47011".</summary>
     public string AllowedOrigins(HttpContext context) => string.Join(
-        ", ", OwnHosts.Of(context.Connection.LocalIpAddress).Select(host => $"{Scheme}://{host}:{context.Connection.LocalPort}"));
+        ", ", OwnHosts.Of(context.Connection.LocalIpAddress, options.HostNames).Select(host => $"{Scheme}://{host}:{context.Connection.LocalPort}"));
 
     /// <summary>Gets the role of a request; null if its token is missing or unknown.</summary>
     /// <remarks>
@@ -70,7 +70,7 @@ sealed class AccessRule(GatewayOptions options, BrowserSessions sessions)
     /// <summary>Whether the requested host is one of the gateway's own, and not another name that resolves to its address (DNS rebinding).</summary>
     public bool IsOwnHost(HttpContext context) =>
         Uri.TryCreate($"{Scheme}://{context.Request.Host.Value}", UriKind.Absolute, out var uri)
-        && OwnHosts.Contain(uri, context.Connection.LocalIpAddress);
+        && OwnHosts.Contain(uri, context.Connection.LocalIpAddress, options.HostNames);
 
     static string SessionOf(HttpContext context) => context.Request.Cookies[BrowserSessions.CookieOf(context)];
 

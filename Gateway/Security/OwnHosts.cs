@@ -14,15 +14,18 @@ static class OwnHosts
     /// <summary>Whether a page comes from this machine.</summary>
     /// <param name="origin">Origin of the page. Only its host is compared.</param>
     /// <param name="local">Local address of the connection on which the page sends its request.</param>
-    public static bool Contain(Uri origin, IPAddress local)
+    /// <param name="others">Other names and addresses of this machine, from the gateway's options.</param>
+    public static bool Contain(Uri origin, IPAddress local, IReadOnlyList<string> others)
     {
+        if (others.Contains(origin.IdnHost, StringComparer.OrdinalIgnoreCase)) return true;
         if (IPAddress.TryParse(origin.IdnHost, out var address))
             return address.MapToIPv6().Equals(local.MapToIPv6());
         return NamesOf(local).Contains(origin.Host, StringComparer.OrdinalIgnoreCase);
     }
 
     /// <summary>Gets all hosts that <see cref="Contain"/> accepts on connections to a local address, as written in URLs.</summary>
-    public static IEnumerable<string> Of(IPAddress local) => NamesOf(local).Prepend(UrlTextOf(local));
+    public static IEnumerable<string> Of(IPAddress local, IReadOnlyList<string> others) => NamesOf(local)
+        .Concat(others.Select(other => IPAddress.TryParse(other, out var address) ? UrlTextOf(address) : other)).Prepend(UrlTextOf(local));
 
     /// <summary>Gets the hosts under which browsers can open the pages of a gateway that listens on an address.</summary>
     public static IEnumerable<string> Reachable(IPAddress bind)
@@ -35,7 +38,9 @@ static class OwnHosts
         return addresses.Select(UrlTextOf).Append(MachineNames[^1]);
     }
 
-    static IEnumerable<string> NamesOf(IPAddress local) => IPAddress.IsLoopback(local) ? ["localhost", .. MachineNames] : MachineNames;
+    // Multicast DNS resolves the name with the suffix .local to this machine.
+    static IEnumerable<string> NamesOf(IPAddress local) =>
+        [.. IPAddress.IsLoopback(local) ? ["localhost"] : Array.Empty<string>(), .. MachineNames, MachineNames[0] + ".local"];
 
     // Omits link-local IPv6 addresses, because they need the name of a network interface, and browsers do not accept such addresses.
     static IEnumerable<IPAddress> AddressesOfThisMachine() =>

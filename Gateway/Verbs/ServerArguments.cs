@@ -19,7 +19,7 @@ sealed class ServerArguments(ConfiguredArguments configured)
 {
     readonly Option<IPAddress> _bind = new("--bind")
     {
-        Description = "Address to listen on: an IP address, localhost, or any for all addresses of this machine",
+        Description = "Address to listen on: an IP address, localhost, any for all IPv4 addresses of this machine, or :: for all IPv4 and IPv6 addresses",
         HelpName = "ADDRESS",
         DefaultValueFactory = _ => IPAddress.Loopback,
         CustomParser = ParseAddress,
@@ -30,6 +30,14 @@ sealed class ServerArguments(ConfiguredArguments configured)
 
     readonly Option<int> _webSocketPort = NumberOption.Create(
         "--ws-port", "TCP port of the WebSocket; 0: any free port", ProtocolLimits.WebSocketPort, 0, IPEndPoint.MaxPort, "");
+
+    readonly Option<IReadOnlyList<string>> _hostNames = new("--host-names")
+    {
+        Description = "Other host names or addresses of this machine, separated by commas, under which browsers may open the pages",
+        HelpName = "NAMES",
+        DefaultValueFactory = _ => [],
+        CustomParser = ParseHostNames,
+    };
 
     readonly Option<bool> _tls = SwitchOption.Create(
         "--tls", "Encrypt both connections; without --certificate, the gateway creates a certificate at each start");
@@ -81,7 +89,7 @@ sealed class ServerArguments(ConfiguredArguments configured)
     {
         foreach (var option in new Option[]
             {
-                _config, _check, _bind, _syncPort, _webSocketPort, _tls, _certificate, _key, _tokens, _pairing, _cell, _recordings, _record,
+                _config, _check, _bind, _syncPort, _webSocketPort, _hostNames, _tls, _certificate, _key, _tokens, _pairing, _cell, _recordings, _record,
                 _insecureLan, _maxConnections, _clockStart, _skew,
             })
             command.Options.Add(option);
@@ -137,6 +145,7 @@ sealed class ServerArguments(ConfiguredArguments configured)
             Bind = parsed.GetValue(_bind),
             SyncPort = parsed.GetValue(_syncPort),
             WebSocketPort = parsed.GetValue(_webSocketPort),
+            HostNames = parsed.GetValue(_hostNames),
             Certificate = Certificate(parsed),
             CertificateFile = CertificateFile(parsed),
             Tokens = tokens == null ? TokenList.None : TokenList.Read(tokens, Announcement.Log),
@@ -221,6 +230,14 @@ sealed class ServerArguments(ConfiguredArguments configured)
         if (!IPAddress.TryParse(text, out var address))
             result.AddError(AddressOptionMessages.NotAnAddress(text));
         return address;
+    }
+
+    static IReadOnlyList<string> ParseHostNames(ArgumentResult result)
+    {
+        var names = result.Tokens.SelectMany(token => token.Value.Split(',', StringSplitOptions.TrimEntries)).ToArray();
+        var wrong = Array.Find(names, name => Uri.CheckHostName(name) == UriHostNameType.Unknown);
+        if (wrong != null) result.AddError(AddressOptionMessages.NotAHost(wrong));
+        return wrong != null ? [] : [.. names.Select(name => new UriBuilder(Uri.UriSchemeHttp, name).Uri.IdnHost)];
     }
 
     static double? ParseSeconds(ArgumentResult result)

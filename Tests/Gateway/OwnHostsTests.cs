@@ -19,7 +19,7 @@ public class OwnHostsTests
         {
             // For a host name, the local address of the connection can be any address.
             var local = IPAddress.TryParse(Page(host).IdnHost, out var address) ? address : IPAddress.Parse("192.0.2.1");
-            Assert.That(OwnHosts.Contain(Page(host), local), Is.True, host);
+            Assert.That(OwnHosts.Contain(Page(host), local, []), Is.True, host);
         }
     }
 
@@ -38,13 +38,17 @@ public class OwnHostsTests
     {
         var address = IPAddress.Parse(local);
 
-        Assert.That(OwnHosts.Of(address), Is.Not.Empty.And.All.Matches<string>(host => OwnHosts.Contain(Page(host), address)));
+        string[] others = ["edge1.plant.example", "192.0.2.200", "2001:db8::200"];
+        Assert.That(
+            OwnHosts.Of(address, others), Has.Exactly(1).EqualTo("[2001:db8::200]").And.All.Matches<string>(
+                host => OwnHosts.Contain(Page(host), address, others)));
     }
 
     [Test]
     public void Contain_CompleteNameOfThisMachine_IsTrue()
     {
-        Assert.That(OwnHosts.Contain(Page(Dns.GetHostName()), IPAddress.Parse("192.0.2.7")), Is.True);
+        Assert.That(OwnHosts.Contain(Page(Dns.GetHostName()), IPAddress.Parse("192.0.2.7"), []), Is.True);
+        Assert.That(OwnHosts.Contain(Page(Environment.MachineName + ".local"), IPAddress.Parse("192.0.2.7"), []), Is.True);
         Assert.That(OwnHosts.Reachable(IPAddress.Any).Last(), Is.EqualTo(OwnHosts.MachineNames[^1]));
     }
 
@@ -54,6 +58,6 @@ public class OwnHostsTests
     [TestCase("evil.example", "127.0.0.1")]
     public void Contain_HostOfAnotherConnection_IsFalse(string host, string local)
     {
-        Assert.That(OwnHosts.Contain(Page(host), IPAddress.Parse(local)), Is.False);
+        Assert.That(OwnHosts.Contain(Page(host), IPAddress.Parse(local), ["edge1.plant.example", "192.0.2.9"]), Is.False);
     }
 }

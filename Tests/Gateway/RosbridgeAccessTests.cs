@@ -133,9 +133,10 @@ public class RosbridgeAccessTests
 
     [TestCase("127.0.0.1")]
     [TestCase("localhost")]
+    [TestCase("edge1.plant.example")]
     public async Task Origin_PageOfTheGateway_IsAccepted(string host)
     {
-        await using var gateway = await Gateways.StartAsync();
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { HostNames = ["edge1.plant.example"] });
 
         using var client = await RawRosbridgeClient.ConnectAsync(gateway, Header("Origin", $"http://{host}:{gateway.WebSocketEndPoint.Port}"));
 
