@@ -9,7 +9,7 @@ static class HeadsetListMessages
         $"{path}, line {line}: not an entry of a paired headset; correct or remove the line";
 
     public static string Unusable(string path, string reason) =>
-        $"{path}: the list of paired headsets cannot be used ({reason}); check its permissions";
+        $"{path}: the list of paired headsets cannot be used ({reason}); check its permissions and the free space of its disk";
 
     public static string Full(string path, int max) =>
         $"{path}: already contains {max} headsets, which is the maximum; revoke one with the pairings command";

@@ -7,6 +7,7 @@ static class RecorderMessages
     public static string Ended(string path, string problem) => $"recording {path}: {problem}";
 
     public const string Deleted = "the file was deleted during the recording, and its lines are lost";
+    public const string DiskAlmostFull = "less than 200 MB of the disk are free; delete recordings, or use another disk";
     public const string NoFolder = "recording: no folder is configured; start the gateway with --recordings FOLDER";
 
     public static string DiskTooSlow(string path, double seconds) =>

@@ -1,3 +1,5 @@
+using Nowpose.Gateway.Messages;
+
 namespace Nowpose.Gateway.Recording;
 
 /// <summary>A buffered file of lines that counts the lines on the disk exactly, even if the disk becomes full within a line.</summary>
@@ -7,19 +9,29 @@ namespace Nowpose.Gateway.Recording;
 sealed class LineFile : Stream
 {
     const int BufferBytes = 64 * 1024;
+
+    /// <summary>Free space that a recording leaves on the disk for other programs and for the gateway's own files, bytes.</summary>
+    internal const long ReservedBytes = 200_000_000;
+
     const byte End = (byte)'\n';
 
     // Beginnings of the lines that the recorder writes about the recording itself. They do not count as records.
     static readonly byte[][] Own = [.. new[] { "session", "lost", "end" }.Select(kind => System.Text.Encoding.ASCII.GetBytes($"{{\"kind\":\"{kind}\""))];
 
     readonly Stream _disk;
+    readonly Func<long> _freeBytes;
     readonly byte[] _buffer = new byte[BufferBytes];
     int _length;
     long _lines, _waiting;
     long _keptBytes = -1;
 
     /// <param name="disk">The unbuffered file. It is disposed with this object.</param>
-    public LineFile(Stream disk) => _disk = disk;
+    /// <param name="freeBytes">Gets the free space of the disk; null if it is unlimited.</param>
+    public LineFile(Stream disk, Func<long> freeBytes = null)
+    {
+        _disk = disk;
+        _freeBytes = freeBytes ?? (() => long.MaxValue);
+    }
 
     /// <summary>Creates a new file that its owner can read and write and its group can read. Fails if the file exists.</summary>
     public static LineFile Create(string path)
@@ -30,7 +42,20 @@ sealed class LineFile : Stream
         };
         if (!OperatingSystem.IsWindows())
             options.UnixCreateMode = UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.GroupRead;
-        return new LineFile(new FileStream(path, options));
+        return new LineFile(new FileStream(path, options), () => FreeBytes(path));
+    }
+
+    // The free space is unknown, for example, for a network share on Windows.
+    static long FreeBytes(string path)
+    {
+        try
+        {
+            return new DriveInfo(Path.GetFullPath(path)).AvailableFreeSpace;
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
+        {
+            return long.MaxValue;
+        }
     }
 
     /// <summary>Whether a path exists, or may exist because it cannot be examined, for example while a network drive does not respond.</summary>
@@ -106,6 +131,7 @@ sealed class LineFile : Stream
         var before = _disk.Position;
         try
         {
+            if (_freeBytes() < lines.Length + ReservedBytes) throw new IOException(RecorderMessages.DiskAlmostFull);
             _disk.Write(lines);
         }
         catch

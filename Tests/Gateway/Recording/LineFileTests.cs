@@ -1,5 +1,6 @@
 using System.Text;
 using NUnit.Framework;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Recording;
 
 namespace Nowpose.Headless.Tests.Gateway.Recording;
@@ -28,6 +29,20 @@ public class LineFileTests
         Assert.That(LineFile.Exists(Path.Combine(folder, "deleted")), Is.False);
         Assert.That(LineFile.Exists(Path.Combine(folder, "deleted", "session.jsonl")), Is.False);
         Directory.Delete(folder, true);
+    }
+
+    [Test]
+    public void Flush_DiskAlmostFull_KeepsTheLinesAndFails()
+    {
+        var disk = new SmallDisk(1000);
+        var free = LineFile.ReservedBytes + 100;
+        using var file = new LineFile(disk, () => free - disk.Length);
+        file.Write(Line("{\"kind\":\"sample\"}"));
+        file.Flush();
+        file.Write(Line("{\"kind\":\"sample\",\"topic\":\"" + new string('t', 100) + "\"}"));
+
+        Assert.That(file.Flush, Throws.InstanceOf<IOException>().With.Message.EqualTo(RecorderMessages.DiskAlmostFull));
+        Assert.That(file.Records, Is.EqualTo(1));
     }
 
     [Test]
