@@ -42,7 +42,7 @@ function install(folder) {
   const wanted = createHash('sha256').update(readFileSync(join(folder, 'package-lock.json'))).digest('hex');
   if (existsSync(stamp) && readFileSync(stamp, 'utf8') === wanted) return true;
   try {
-    execSync('npm ci', { cwd: folder, stdio: ['ignore', 'ignore', 'pipe'] });
+    execSync('npm ci --loglevel=error', { cwd: folder, stdio: ['ignore', 'ignore', 'pipe'] });
   } catch (error) {
     console.error(`npm ci failed: ${String(error.stderr).trim()}`);
     return false;
