@@ -16,9 +16,10 @@ namespace Nowpose.Prediction.Forecasting
 
         readonly bool _stopsAtReversal;
 
-        // The weights at the points of a ForecastTable, point by point: those of the newest sample and of the others.
+        // The weights at the first points of a ForecastTable, sample by sample: those of a sample at all points are adjacent.
         readonly double[] _table;
-        bool _isSolved, _isTableFilled;
+        int _filledPoints;
+        bool _isSolved;
 
         // The samples of the last solve. The first of them is _age samples older than the newest one.
         MotionState _motion;
@@ -48,7 +49,7 @@ namespace Nowpose.Prediction.Forecasting
 
         public override bool Solve(MotionState motion) => Solve(motion, age: 0);
 
-        /// <summary>Solves as if an earlier sample were the newest. The results are relative to this sample until the next solve.</summary>
+        /// <summary>Solves as if an earlier sample were the newest. <see cref="At"/> is relative to this sample until the next solve.</summary>
         /// <param name="age">Number of newer samples, which are ignored.</param>
         /// <returns>Whether the older samples determine the weights.</returns>
         public bool Solve(MotionState motion, int age)
@@ -59,7 +60,7 @@ namespace Nowpose.Prediction.Forecasting
             if (count == Count && HasTimes(motion.Times, age)) return _isSolved;
             Count = count;
             for (var i = 0; i < count; i++) Times[i] = motion.Times[age + i] - motion.Times[age];
-            _isTableFilled = false;
+            _filledPoints = 0;
             return _isSolved = SolveWeights();
         }
 
@@ -75,14 +76,22 @@ namespace Nowpose.Prediction.Forecasting
         }
 
         /// <inheritdoc/>
+        /// <remarks>
+        /// Call it after <see cref="Solve(MotionState)"/>. Adds sample after sample to all points: with a sum per point, each addition would wait for
+        /// the one before it, which takes 1.6 times as long on Mono.
+        /// </remarks>
         public override void Fill(double[] table, int start, int points, int components)
         {
-            if (!_isTableFilled)
-                for (var point = 0; point < ForecastTable.Points; point++)
-                    FillWeights(point * ForecastTable.Step, _table.AsSpan(point * RequiredSamples, RequiredSamples));
-            _isTableFilled = true;
-            for (int point = 0, at = 0, i = start; point < points; point++, at += RequiredSamples)
-                for (var c = 0; c < components; c++) table[i++] = Sum(at, c);
+            if (_filledPoints < points) FillTable(points);
+            var (weights, displacements) = (_table, _motion.Displacements);
+            for (var i = start; i < start + points * components; i++) table[i] = 0;
+            for (int j = 1, at = components; j < Count; j++)
+                for (var c = 0; c < components; c++)
+                {
+                    var displacement = displacements[at++];
+                    for (int point = 0, weight = j * ForecastTable.Points, i = start + c; point < points; point++, i += components)
+                        table[i] += weights[weight++] * displacement;
+                }
             if (_stopsAtReversal) Stop(table, start, points, components);
         }
 
@@ -108,14 +117,14 @@ namespace Nowpose.Prediction.Forecasting
             return positions[(_age + sample) * components + component] - positions[_age * components + component];
         }
 
-        // The same sum as in At, with weights of the table: on Mono, spans would increase the time per sample by a tenth.
-        double Sum(int at, int component)
+        void FillTable(int points)
         {
-            var (positions, components, sum) = (_motion.Displacements, _motion.Components, 0.0);
-            var i = _age * components + component;
-            var newest = positions[i];
-            for (var j = 1; j < Count; j++) sum += _table[at + j] * (positions[i += components] - newest);
-            return sum;
+            Span<double> weights = stackalloc double[RequiredSamples];
+            for (; _filledPoints < points; _filledPoints++)
+            {
+                FillWeights(_filledPoints * ForecastTable.Step, weights);
+                for (var j = 0; j < Count; j++) _table[j * ForecastTable.Points + _filledPoints] = weights[j];
+            }
         }
 
         void Stop(double[] table, int start, int points, int components)
@@ -127,7 +136,7 @@ namespace Nowpose.Prediction.Forecasting
                 var progress = 0.0;
                 for (var c = 0; c < components; c++) progress += (table[i + c] - table[i + c - components]) * velocity[c];
                 hasStopped |= progress <= 0;
-                if (hasStopped) Array.Copy(table, i - components, table, i, components);
+                for (var c = 0; c < components && hasStopped; c++) table[i + c] = table[i + c - components];
             }
         }
     }
