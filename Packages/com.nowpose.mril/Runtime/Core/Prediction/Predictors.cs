@@ -150,13 +150,13 @@ namespace Nowpose.Prediction
             var history = Has(parts, PredictionParts.Repetition | PredictionParts.Braking) ? new MotionHistory(components) : null;
             var candidates = new List<Candidate>
             {
-                new Candidate(components, new MeanForecaster(), new CandidateGate(MeanGate, trustsUntested: true))
+                new Candidate(new MeanForecaster(), new CandidateGate(MeanGate, trustsUntested: true))
             };
             if (Has(parts, PredictionParts.Repetition))
-                candidates.Add(new Candidate(components, new TemplateForecaster(history, matchInterval), new CandidateGate(TemplateGate)));
-            if (Has(parts, PredictionParts.Braking)) candidates.Add(new Candidate(components, new BrakingForecaster(history), braking));
+                candidates.Add(new Candidate(new TemplateForecaster(history, matchInterval), new CandidateGate(TemplateGate)));
+            if (Has(parts, PredictionParts.Braking)) candidates.Add(new Candidate(new BrakingForecaster(history), braking));
             if (Has(parts, PredictionParts.Profiles) && ProfileForecaster.HasLimits(limits))
-                candidates.Add(new Candidate(components, new ProfileForecaster(limits), new CandidateGate(MoveGate)));
+                candidates.Add(new Candidate(new ProfileForecaster(limits), new CandidateGate(MoveGate)));
             return new Mixture(components, limits, parts, forecasters, candidates.ToArray(), jumps);
         }
 

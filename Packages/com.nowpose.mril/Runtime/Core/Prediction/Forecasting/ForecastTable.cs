@@ -21,7 +21,7 @@ namespace Nowpose.Prediction.Forecasting
 
         /// <summary>Returns the number of points that are read up to the horizon cap: the spline also reads two points beyond it.</summary>
         /// <param name="horizonCap">Maximum time that is displayed, in s.</param>
-        public static int PointsUpTo(double horizonCap) => (int)Math.Min(Points, Math.Ceiling(horizonCap / Step) + 3);
+        public static int PointsUpTo(double horizonCap) => (int)Math.Min(Points, Math.Floor(horizonCap / Step) + 3);
 
         /// <summary>Limits the forecast of a joint to the drive's maximum speed and maximum acceleration.</summary>
         /// <param name="table">Table with one component, which is changed in place.</param>
@@ -89,6 +89,14 @@ namespace Nowpose.Prediction.Forecasting
             var origin = start + component;
             return _weightBefore * table[origin + _before * components] + _weight * table[origin + _cell * components]
                 + _weightNext * table[origin + (_cell + 1) * components] + _weightAfter * table[origin + _after * components];
+        }
+
+        /// <summary>Returns the same component without a table: only the four points around this time are forecast.</summary>
+        public double Read(Forecaster forecaster, int component)
+        {
+            const double step = ForecastTable.Step;
+            return _weightBefore * forecaster.At(_before * step, component) + _weight * forecaster.At(_cell * step, component)
+                + _weightNext * forecaster.At((_cell + 1) * step, component) + _weightAfter * forecaster.At(_after * step, component);
         }
     }
 }

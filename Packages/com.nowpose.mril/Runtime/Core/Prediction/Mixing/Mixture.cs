@@ -12,7 +12,7 @@ namespace Nowpose.Prediction.Mixing
     /// <remarks>
     /// No single forecaster is best for every motion: the paper's quadratic is better on clean swings, a straight line on many real machines.
     /// Each new sample shows the errors of the forecasts that were made one horizon before it, the weights are solved from these errors
-    /// (<see cref="MixtureWeights"/>), and the tables of all forecasts, one of which is displayed, are filled. The components of an object have the same
+    /// (<see cref="MixtureWeights"/>), and the tables of the forecasters and the displayed one are filled. The components of an object have the same
     /// weights: they have the same kind of noise and motion, so the weights are estimated three times as fast as for a joint.
     /// Directly after a jump, the displayed table holds the position. Otherwise, it is that of the best candidate whose gate is open, or else the line at
     /// constant velocity, or else the weighted sum within <see cref="DistanceLimit"/>, with a half of the line after a start from noise. The limits of the
@@ -97,7 +97,7 @@ namespace Nowpose.Prediction.Mixing
                 DetectChangePoint(motion);
                 Learn(motion);
                 DetectStart(motion);
-                foreach (var candidate in _candidates) candidate.Add(motion, _points);
+                foreach (var candidate in _candidates) candidate.Add(motion);
             }
             Forecast(motion);
             return motion.Count >= 2;
@@ -174,12 +174,11 @@ namespace Nowpose.Prediction.Mixing
 
         void FillTable(MotionState motion, double speedFactor)
         {
-            Array.Clear(_table, 0, _table.Length);
             var candidate = IsVelocityUnknown ? null : BestCandidate();
-            if (candidate != null) Array.Copy(candidate.Table, _table, _points * _components);
+            if (candidate != null) candidate.Fill(_table, _points, _components);
             else FillMixture(motion, speedFactor);
             // The displayed position is that of the newest sample at its time.
-            Array.Clear(_table, 0, _components);
+            for (var c = 0; c < _components; c++) _table[c] = 0;
         }
 
         Candidate BestCandidate()
@@ -195,6 +194,7 @@ namespace Nowpose.Prediction.Mixing
         {
             // The weights of the last seconds would displace a constant velocity if they include hold.
             var lineShare = Uses(PredictionParts.ChangePoints) && _changePoints.IsSteady ? 1 : motion.NewestTime < _firstMoveUntil ? FirstMoveShare : 0;
+            Array.Clear(_table, 0, _table.Length);
             AddForecasts(1 - lineShare);
             if (lineShare > 0) _forecasters.AddTo(_table, ForecasterSet.Line, lineShare, _points);
             if (_components == 1 && motion.Count > 1) ForecastTable.LimitToDrive(_table, _points, speedFactor * motion.Velocity[0], motion.Interval, _limits);

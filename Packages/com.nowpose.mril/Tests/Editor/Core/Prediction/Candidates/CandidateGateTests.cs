@@ -25,7 +25,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         {
             _candidate = new Oracle();
             _gate = new CandidateGate(0.3);
-            _gated = Of(Mixture(new Candidate(1, _candidate, _gate)));
+            _gated = Of(Mixture(new Candidate(_candidate, _gate)));
             _mixture = Of(Mixture());
         }
 
