@@ -90,12 +90,12 @@ namespace Nowpose.Prediction.Candidates
 
         bool TryFind()
         {
-            var interval = -_motion.Times[1] / _history.Step;
+            var (interval, newest) = (-_motion.Times[1] / _history.Step, _motion.DisplacementAt(0));
             double slower = _history.IndexOf(_start) - interval, faster = _history.IndexOf(_maxSpeedAt) - interval;
             for (var i = 0; i < Bisections; i++)
             {
                 _match = (slower + faster) / 2;
-                if (DisplacementAfter(_match, interval) < _motion.DisplacementAt(0)) slower = _match;
+                if (DisplacementAfter(_match, interval) < newest) slower = _match;
                 else faster = _match;
             }
             return _history.Covers(_match - ForecastTable.Span / _history.Step) && _history.Covers(IndexAfter(_match, Compared)) && IsMirrored();

@@ -24,6 +24,11 @@ namespace Nowpose.Prediction.Candidates
         const int Mask = Capacity - 1;
 
         /// <summary>
+        /// Number of first points that are repeated after the end of the ring buffer, so that the four points that a spline reads are adjacent.
+        /// </summary>
+        const int Repeated = 3;
+
+        /// <summary>
         /// Number of newest grid points that a match must not include, because the spline also needs points after the last point that is read.
         /// </summary>
         public const int Margin = 4;
@@ -55,7 +60,7 @@ namespace Nowpose.Prediction.Candidates
         int _samples;
 
         /// <param name="components">Number of components of a position.</param>
-        public MotionHistory(int components) => (Components, Points) = (components, new double[Capacity * components]);
+        public MotionHistory(int components) => (Components, Points) = (components, new double[(Capacity + Repeated) * components]);
 
         /// <summary>Number of components of a position.</summary>
         public int Components { get; }
@@ -72,7 +77,15 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Grid points since the start; the newest <see cref="Capacity"/> of them are kept.</summary>
         public long Count { get; private set; }
 
-        /// <summary>Ring buffer of the positions at the grid points; the components of a position are adjacent.</summary>
+        /// <summary>Minimum index with a position. A spline needs a point before it.</summary>
+        public long First => Math.Max(1, Count - Capacity + 1);
+
+        /// <summary>Index below which there are positions. A spline needs two points after them.</summary>
+        public long End => Count - 2;
+
+        /// <summary>
+        /// Ring buffer of the positions at the grid points; the components of a position are adjacent. Each point is followed by the next three.
+        /// </summary>
         public double[] Points { get; }
 
         /// <summary>Adds the newest sample, unless another candidate has added it. A gap between two samples restarts the history.</summary>
@@ -100,13 +113,13 @@ namespace Nowpose.Prediction.Candidates
         {
             var cell = (long)index;
             var f = index - cell;
-            double p0 = Points[PlaceOf(cell - 1) + component], p1 = Points[PlaceOf(cell) + component];
-            double p2 = Points[PlaceOf(cell + 1) + component], p3 = Points[PlaceOf(cell + 2) + component];
+            var (points, n, i) = (Points, Components, PlaceOf(cell - 1) + component);
+            double p0 = points[i], p1 = points[i + n], p2 = points[i + 2 * n], p3 = points[i + 3 * n];
             return p1 + 0.5 * f * (p2 - p0 + f * (2 * p0 - 5 * p1 + 4 * p2 - p3 + f * (3 * (p1 - p2) + p3 - p0)));
         }
 
         /// <summary>Returns whether there is a position at an index.</summary>
-        public bool Covers(double index) => index < Count - 2 && index >= 1 && index >= Count - Capacity + 1;
+        public bool Covers(double index) => index >= First && index < End;
 
         // Whether the samples have about the same interval, without a gap that is longer than the history. A single lost sample does not change the mean
         // interval enough to restart.
@@ -148,7 +161,9 @@ namespace Nowpose.Prediction.Candidates
                 var m2 = (d1 * h2 + d2 * h1) / (h1 + h2);
                 var square = (3 * d1 - 2 * m1 - m2) / h1;
                 var cube = (m1 + m2 - 2 * d1) / (h1 * h1);
-                Points[place + c] = motion.Newest[c] + p2 + x * (m1 + x * (square + x * cube));
+                var position = motion.Newest[c] + p2 + x * (m1 + x * (square + x * cube));
+                Points[place + c] = position;
+                if (place < Repeated * Components) Points[Capacity * Components + place + c] = position;
             }
         }
     }

@@ -18,10 +18,13 @@ namespace Nowpose.Prediction.Candidates
 
         readonly MotionHistory _history;
 
-        // The compared samples, newest first: grid index, and position, whose components are adjacent.
+        // The compared samples, newest first: grid index, position, and distance from the history at the last comparison. Components are adjacent.
         readonly double[] _indices = new double[ComparedSamples + 1];
-        readonly double[] _positions;
+        readonly double[] _positions, _distances;
         int _count;
+
+        // The history covers all compared samples at lags above the minimum and up to the maximum.
+        double _minLag, _maxLag;
 
         // Gauss-Newton step from the lag of the last comparison.
         double _step;
@@ -29,15 +32,15 @@ namespace Nowpose.Prediction.Candidates
         public MotionOverlay(MotionHistory history)
         {
             _history = history;
-            _positions = new double[_indices.Length * history.Components];
-            Offsets = new double[history.Components];
+            (_positions, _distances) = (new double[_indices.Length * history.Components], new double[_indices.Length * history.Components]);
         }
 
         /// <summary>Mean square of the samples' distances from the history, after <see cref="Compare"/>.</summary>
         public double MeanSquare { get; private set; }
 
-        /// <summary>Mean distance of the newest two samples from the history in each component, after <see cref="Compare"/>.</summary>
-        public double[] Offsets { get; }
+        /// <summary>Returns the mean distance of the newest two samples from the history in a component, after <see cref="Compare"/>.</summary>
+        public double OffsetOf(int component) =>
+            _count > 1 ? (_distances[component] + _distances[_history.Components + component]) / 2 : _distances[component];
 
         /// <summary>Sets the samples to compare with the history.</summary>
         /// <param name="count">Number of newest samples.</param>
@@ -51,6 +54,7 @@ namespace Nowpose.Prediction.Candidates
                 for (var c = 0; c < n; c++) _positions[_count * n + c] = motion.Newest[c] + motion.Displacements[age * n + c];
                 _count++;
             }
+            (_minLag, _maxLag) = (_indices[0] - _history.End, _indices[_count - 1] - _history.First);
         }
 
         /// <summary>Returns the lag at which the samples fit best.</summary>
@@ -68,27 +72,25 @@ namespace Nowpose.Prediction.Candidates
         {
             MeanSquare = double.PositiveInfinity;
             _step = 0;
-            if (!_history.Covers(_indices[0] - lag) || !_history.Covers(_indices[_count - 1] - lag)) return false;
-            var (points, n) = (_history.Points, _history.Components);
+            if (!(lag > _minLag && lag <= _maxLag)) return false;
+            var (points, n, positions, distances) = (_history.Points, _history.Components, _positions, _distances);
             double sum = 0, pull = 0, stiffness = 0;
-            Array.Clear(Offsets, 0, n);
-            for (int k = 0, at = 0; k < _count; k++, at += n)
+            for (int k = 0, at = 0; k < _count; k++)
             {
                 var index = _indices[k] - lag;
                 var cell = (long)index;
                 var f = index - cell;
-                int before = _history.PlaceOf(cell - 1), here = _history.PlaceOf(cell), next = _history.PlaceOf(cell + 1), after = _history.PlaceOf(cell + 2);
-                for (var c = 0; c < n; c++)
+                for (int c = 0, i = _history.PlaceOf(cell - 1); c < n; c++, i++, at++)
                 {
-                    double p0 = points[before + c], p1 = points[here + c], p2 = points[next + c], p3 = points[after + c];
+                    double p0 = points[i], p1 = points[i + n], p2 = points[i + 2 * n], p3 = points[i + 3 * n];
                     // The same Catmull-Rom spline as in MotionHistory.At, and its derivative.
                     double first = p2 - p0, second = 2 * p0 - 5 * p1 + 4 * p2 - p3, third = 3 * (p1 - p2) + p3 - p0;
-                    var error = _positions[at + c] - p1 - 0.5 * f * (first + f * (second + f * third));
+                    var error = positions[at] - p1 - 0.5 * f * (first + f * (second + f * third));
                     var speed = 0.5 * (first + f * (2 * second + 3 * f * third));
                     sum += error * error;
                     pull += error * speed;
                     stiffness += speed * speed;
-                    if (k < 2) Offsets[c] += error / Math.Min(_count, 2);
+                    distances[at] = error;
                 }
             }
             MeanSquare = sum / _count;

@@ -112,15 +112,15 @@ namespace Nowpose.Prediction.Candidates
         {
             _matchedAt = _motion.NewestTime;
             _overlay.Take(_motion, SamplesInWindow());
-            var min = double.PositiveInfinity;
+            var (min, minLag) = (double.PositiveInfinity, MinLag);
             for (var i = 0; i < _search.Count; i++)
             {
-                var lag = _overlay.Find(_search.Lags[i], MinLag);
+                var lag = _overlay.Find(_search.Lags[i], minLag);
                 if (!_overlay.Compare(lag) || !HasContinuation(lag)) continue;
                 _lags[_matches] = lag;
                 _errors[_matches] = _overlay.MeanSquare;
                 // The offset of the newest samples from the history is assumed to stay the same.
-                Array.Copy(_overlay.Offsets, 0, _offsets, _matches * _components, _components);
+                for (var c = 0; c < _components; c++) _offsets[_matches * _components + c] = _overlay.OffsetOf(c);
                 min = Math.Min(min, _errors[_matches++]);
             }
             Weigh(min);
