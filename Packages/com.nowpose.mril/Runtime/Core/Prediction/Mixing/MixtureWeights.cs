@@ -67,18 +67,19 @@ namespace Nowpose.Prediction.Mixing
         public double MeanSquare(int forecast) => Evidence > 0 ? _products[forecast * (_count + 1)] / Evidence : 0;
 
         /// <summary>Adds the errors of all forecasts for one sample.</summary>
+        /// <param name="errors">Array that contains the errors from index <paramref name="first"/> on.</param>
         /// <param name="forgettingFactor">Forgetting factor of one sample, 0 to 1.</param>
-        public void Learn(double[] errors, double forgettingFactor)
+        public void Learn(double[] errors, int first, double forgettingFactor)
         {
             // Error of the mixture with the current weights.
             var (products, gain, mixture) = (_products, 1 - forgettingFactor, 0.0);
-            for (var i = 0; i < errors.Length; i++) mixture += Values[i] * errors[i];
-            for (int i = 0, row = 0; i < errors.Length; i++, row += _count)
+            for (var i = 0; i < _count; i++) mixture += Values[i] * errors[first + i];
+            for (int i = 0, row = 0; i < _count; i++, row += _count)
             {
-                var error = gain * errors[i];
+                var error = gain * errors[first + i];
                 // The matrix is symmetric.
                 for (int j = 0, mirrored = i; j <= i; j++, mirrored += _count)
-                    products[mirrored] = products[row + j] = forgettingFactor * products[row + j] + error * errors[j];
+                    products[mirrored] = products[row + j] = forgettingFactor * products[row + j] + error * errors[first + j];
                 products[_weighted + i] = forgettingFactor * products[_weighted + i] + error * mixture;
             }
             Evidence = forgettingFactor * Evidence + gain;

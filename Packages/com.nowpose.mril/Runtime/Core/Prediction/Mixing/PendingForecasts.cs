@@ -31,7 +31,7 @@ namespace Nowpose.Prediction.Mixing
             (_components, _forecasters, _candidates, _weights) = (components, forecasters, candidates, weights);
             _mixture = forecasters.Count * components;
             for (var i = 0; i < Capacity; i++) _pending[i] = new Expectation(CandidateRow(candidates.Length));
-            (_errors, _truth) = (new double[forecasters.Count], new double[components]);
+            (_errors, _truth) = (new double[_mixture], new double[components]);
         }
 
         /// <summary>Adds the forecasts after the newest sample for the time of one horizon ahead.</summary>
@@ -96,22 +96,23 @@ namespace Nowpose.Prediction.Mixing
             _pending[_count] = dropped;
         }
 
+        // The errors of one component are adjacent.
         bool ScoreForecasts(double[] positions, double forgettingFactor)
         {
-            var differ = false;
-            for (var row = 0; row < _mixture; row += _components)
+            var (errors, differ) = (_errors, false);
+            for (int c = 0, e = 0; c < _components; c++)
             {
-                if (!(ErrorOf(positions, row) < JointSample.MaxMagnitude)) return false;
-                differ = differ || Vectors.Distance(positions, row, positions, ForecasterSet.Line * _components, _components) > 0;
+                var (truth, line) = (_truth[c], positions[ForecasterSet.Line * _components + c]);
+                for (var i = c; i < _mixture; i += _components, e++)
+                {
+                    errors[e] = positions[i] - truth;
+                    if (!(Math.Abs(errors[e]) < JointSample.MaxMagnitude)) return false;
+                    differ |= positions[i] != line;
+                }
             }
             // From a rest without noise, all forecasts are equal. Their error at a start would hide the differences between the forecasters for seconds.
-            if (!differ) return false;
-            for (var c = 0; c < _components; c++)
-            {
-                for (var i = 0; i < _errors.Length; i++) _errors[i] = positions[i * _components + c] - _truth[c];
-                _weights.Learn(_errors, forgettingFactor);
-            }
-            return true;
+            for (var c = 0; c < _components && differ; c++) _weights.Learn(errors, c * _forecasters.Count, forgettingFactor);
+            return differ;
         }
 
         void ScoreCandidates(Expectation expected, double time)
@@ -121,6 +122,8 @@ namespace Nowpose.Prediction.Mixing
             for (var i = 0; i < _candidates.Length; i++)
             {
                 var row = CandidateRow(i);
+                // Most candidates have no forecast.
+                if (double.IsNaN(positions[row])) continue;
                 var displacement = Math.Max(moved, Vectors.Distance(positions, ForecasterSet.Hold * _components, positions, row, _components));
                 _candidates[i].Score(ErrorOf(positions, row), mixture, displacement, expected.WasStill, time);
             }
