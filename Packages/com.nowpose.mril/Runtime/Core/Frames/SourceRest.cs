@@ -94,7 +94,7 @@ namespace Nowpose.Frames
 
         static void Add(RestDetector detector, PositionWindow window, in Vector3D vector)
         {
-            window.Add(0, stackalloc[] { vector.X, vector.Y, vector.Z });
+            window.Add(stackalloc[] { vector.X, vector.Y, vector.Z });
             detector.AddNoise(window.Positions, window.Count);
         }
 

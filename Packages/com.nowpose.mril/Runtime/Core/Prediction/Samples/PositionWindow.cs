@@ -2,31 +2,23 @@ using System;
 
 namespace Nowpose.Prediction.Samples
 {
-    /// <summary>Keeps the times and positions of the newest samples, newest first; the components of a position are adjacent.</summary>
+    /// <summary>Keeps the positions of the newest samples, newest first; the components of a position are adjacent.</summary>
     sealed class PositionWindow
     {
-        readonly int _components;
+        readonly int _samples, _components;
 
-        public PositionWindow(int samples, int components)
-        {
-            _components = components;
-            (Times, Positions) = (new double[samples], new double[samples * components]);
-        }
+        public PositionWindow(int samples, int components) =>
+            (_samples, _components, Positions) = (samples, components, new double[samples * components]);
 
         /// <summary>Number of samples.</summary>
         public int Count { get; private set; }
 
-        /// <summary>Times in s.</summary>
-        public double[] Times { get; }
-
         public double[] Positions { get; }
 
-        public void Add(double time, ReadOnlySpan<double> position)
+        public void Add(ReadOnlySpan<double> position)
         {
-            Count = Math.Min(Count + 1, Times.Length);
-            Array.Copy(Times, 0, Times, 1, Count - 1);
+            Count = Math.Min(Count + 1, _samples);
             Array.Copy(Positions, 0, Positions, _components, (Count - 1) * _components);
-            Times[0] = time;
             position.CopyTo(Positions);
         }
 

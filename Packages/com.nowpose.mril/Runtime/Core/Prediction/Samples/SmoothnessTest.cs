@@ -29,16 +29,16 @@ namespace Nowpose.Prediction.Samples
         /// <summary>Number of samples: the newest one and three, which determine a quadratic.</summary>
         const int Kept = 4;
 
-        // The newest samples with reported stamps, and their times on the line.
-        readonly PositionWindow _newest;
-        readonly double[] _onLine = new double[Kept];
+        // The newest samples, newest first: positions, whose components are adjacent, reported stamps, and times on the line.
+        readonly double[] _positions, _reported = new double[Kept], _onLine = new double[Kept];
         readonly int _components;
+        int _count;
         double _mean;
 
         /// <param name="components">Number of components of a position.</param>
         public SmoothnessTest(int components)
         {
-            (_components, _newest) = (components, new PositionWindow(Kept, components));
+            (_components, _positions) = (components, new double[Kept * components]);
             Reset();
         }
 
@@ -48,23 +48,19 @@ namespace Nowpose.Prediction.Samples
         /// <param name="onLine">Time of the sample on the line, in s.</param>
         public void Add<TSample>(in TSample sample, double onLine) where TSample : struct, ISample<TSample>
         {
-            Span<double> position = stackalloc double[_components];
-            for (var c = 0; c < _components; c++) position[c] = sample[c];
-            _newest.Add(sample.Time, position);
-            Array.Copy(_onLine, 0, _onLine, 1, Kept - 1);
-            _onLine[0] = onLine;
-            if (_newest.Count < Kept) return;
-            double errorReported = ErrorOf(_newest.Times), errorOnLine = ErrorOf(_onLine);
+            for (var i = Kept - 1; i > 0; i--) (_reported[i], _onLine[i]) = (_reported[i - 1], _onLine[i - 1]);
+            for (var i = _positions.Length - 1; i >= _components; i--) _positions[i] = _positions[i - _components];
+            (_reported[0], _onLine[0]) = (sample.Time, onLine);
+            for (var c = 0; c < _components; c++) _positions[c] = sample[c];
+            _count = Math.Min(_count + 1, Kept);
+            if (_count < Kept) return;
+            double errorReported = ErrorOf(_reported), errorOnLine = ErrorOf(_onLine);
             if (!(errorReported > 0 && errorOnLine > 0)) return;
             var vote = Math.Log10(errorReported / errorOnLine);
             _mean += VoteWeight * (Math.Min(Math.Max(vote, -MaxVote), MaxVote) - _mean);
         }
 
-        public void Reset()
-        {
-            _newest.Clear();
-            _mean = InitialMean;
-        }
+        public void Reset() => (_count, _mean) = (0, InitialMean);
 
         // Distance of sample 0 from the quadratic through samples 1 to 3, in Lagrange form; NaN or infinite if two times coincide.
         double ErrorOf(double[] times)
@@ -75,7 +71,7 @@ namespace Nowpose.Prediction.Samples
                 var error = 0.0;
                 for (var i = 1; i < Kept; i++)
                 {
-                    var term = _newest.Positions[i * _components + c] - _newest.Positions[c];
+                    var term = _positions[i * _components + c] - _positions[c];
                     for (var j = 1; j < Kept; j++)
                         if (j != i) term *= (times[0] - times[j]) / (times[i] - times[j]);
                     error += term;

@@ -18,7 +18,7 @@ namespace Nowpose.Tests.Core.Prediction.State
 
         void Add(RestDetector detector, in Vector3D position)
         {
-            _window.Add(time: 0, new[] { position.X, position.Y, position.Z });
+            _window.Add(new[] { position.X, position.Y, position.Z });
             detector.AddNoise(_window.Positions, _window.Count);
         }
 
