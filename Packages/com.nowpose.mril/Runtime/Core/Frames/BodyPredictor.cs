@@ -170,16 +170,17 @@ namespace Nowpose.Frames
             if (_pipeline.IsEmpty)
                 foreach (var blend in _blends) blend.Reset();
             var (isBlended, before) = (_blends[Position].IsNeeded(displayed) && !_pipeline.IsEmpty, NewestTime);
-            Span<double> shown = stackalloc double[Parts * Components], section = stackalloc double[Components];
+            Span<double> residuals = stackalloc double[Parts * Components];
             var place = isBlended ? _pipeline.PlaceOf(displayed) : default;
-            for (var i = 0; i < shown.Length && isBlended; i++) shown[i] = At(i / Components, i % Components, displayed, place);
+            for (var i = 0; i < residuals.Length && isBlended; i++) residuals[i] = At(i / Components, i % Components, displayed, place);
             if (!_pipeline.Add(sample, displayed) || !isBlended) return;
             place = _pipeline.PlaceOf(displayed);
             for (var part = 0; part < Parts; part++)
             {
-                for (var c = 0; c < Components; c++) section[c] = _pipeline.At(place, part, c);
+                var residual = residuals.Slice(part * Components, Components);
+                for (var c = 0; c < Components; c++) residual[c] -= _pipeline.At(place, part, c);
                 _blends[part].StoreReplaced(displayed, before);
-                _blends[part].Start(displayed, shown.Slice(part * Components, Components), section, _pipeline.MotionOf(part));
+                _blends[part].Start(displayed, residual, _pipeline.MotionOf(part));
             }
         }
 

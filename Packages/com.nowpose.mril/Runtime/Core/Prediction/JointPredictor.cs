@@ -178,8 +178,7 @@ namespace Nowpose.Prediction
         {
             _blend.Stop();
             if (shown.Kind == PredictionKind.None) return;
-            Span<double> before = stackalloc[] { shown.Position }, section = stackalloc[] { UnwrappedAt(displayed).Position };
-            _blend.Start(displayed, before, section, Motion);
+            _blend.Start(displayed, stackalloc[] { shown.Position - UnwrappedAt(displayed).Position }, Motion);
         }
 
         // The displayed position, unwrapped for a continuous joint: the section, blended with the plan if there is one, and the remainder of the

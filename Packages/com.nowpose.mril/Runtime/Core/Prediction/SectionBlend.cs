@@ -60,16 +60,17 @@ namespace Nowpose.Prediction
 
         /// <summary>Starts the decay at the last display time.</summary>
         /// <param name="displayed">See <see cref="IsNeeded"/>.</param>
-        /// <param name="shown">Value that was displayed at that time, which includes the remainder of the previous residual.</param>
-        /// <param name="section">Value of the new section at that time.</param>
+        /// <param name="residual">
+        /// Value that was displayed at that time, which includes the remainder of the previous residual, minus that of the new section.
+        /// </param>
         /// <param name="motion">The motion after the sample.</param>
-        public void Start(double displayed, ReadOnlySpan<double> shown, ReadOnlySpan<double> section, MotionState motion)
+        public void Start(double displayed, ReadOnlySpan<double> residual, MotionState motion)
         {
             (_from, _timeConstant) = (displayed, TimeConstant(motion.Timing.MeanInterval));
             var squares = 0.0;
             for (var c = 0; c < _residual.Length; c++)
             {
-                _residual[c] = shown[c] - section[c];
+                _residual[c] = residual[c];
                 squares += _residual[c] * _residual[c];
             }
             // Before the first section, nothing was displayed.
