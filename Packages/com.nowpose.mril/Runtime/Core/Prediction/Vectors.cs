@@ -5,6 +5,12 @@ namespace Nowpose.Prediction
     /// <summary>Lengths and products of positions with any number of components.</summary>
     static class Vectors
     {
+        /// <summary>Copies a vector. For few components, this takes a tenth of the time of Array.Copy on Mono.</summary>
+        public static void Copy(double[] from, double[] to)
+        {
+            for (var c = 0; c < from.Length; c++) to[c] = from[c];
+        }
+
         public static double Length(double[] vector) => Math.Sqrt(Dot(vector, vector));
 
         public static double Dot(double[] one, double[] other)

@@ -98,8 +98,8 @@ namespace Nowpose.Prediction.State
             }
             (_speed, _isUnconfirmed) = (newest, isUnconfirmed);
             _intervalBefore = interval;
-            Array.Copy(motion.Velocity, _before, _before.Length);
-            if (!isUnconfirmed) Array.Copy(motion.Velocity, _confirmed, _confirmed.Length);
+            Vectors.Copy(motion.Velocity, _before);
+            if (!isUnconfirmed) Vectors.Copy(motion.Velocity, _confirmed);
         }
 
         /// <summary>Adds a sample at a place that has no connection with the samples before it.</summary>
@@ -108,19 +108,19 @@ namespace Nowpose.Prediction.State
             Store();
             (SamplesSince, SpeedIncreased) = (1, false);
             if (_isUnconfirmed) (_acceleration, _speed) = (0, 0);
-            Array.Copy(_confirmed, _before, _before.Length);
+            Vectors.Copy(_confirmed, _before);
         }
 
         void Store()
         {
             _formerSince = SamplesSince;
-            Array.Copy(_before, _former, _former.Length);
+            Vectors.Copy(_before, _former);
         }
 
         void Retract()
         {
             (SamplesSince, _acceleration, _speed) = (_formerSince, 0, 0);
-            Array.Copy(_former, _before, _before.Length);
+            Vectors.Copy(_former, _before);
         }
 
         public void Reset()

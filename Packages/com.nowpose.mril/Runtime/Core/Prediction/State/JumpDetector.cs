@@ -142,7 +142,7 @@ namespace Nowpose.Prediction.State
             if (_isKnown) _meanChange += (Math.Min(change, MaxLearnedRatio * limit) - _meanChange) * SampleTiming.MeanWeight;
             if (!isJump) _isKnown = true;
             var (from, to) = isJump ? (_displacement, _jump) : (_newVelocity, _velocity);
-            Array.Copy(from, to, to.Length);
+            Vectors.Copy(from, to);
             return isJump;
         }
 

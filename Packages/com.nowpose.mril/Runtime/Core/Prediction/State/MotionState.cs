@@ -127,7 +127,8 @@ namespace Nowpose.Prediction.State
                 PreviousTime = NewestTime;
                 (Velocity, _velocityBefore) = (_velocityBefore, Velocity);
             }
-            ref readonly var newest = ref buffer[0];
+            // A copy, because the compiler would copy the sample at each access through a read-only reference.
+            var newest = buffer[0];
             NewestTime = newest.Time;
             (ReportedVelocity, ReportedAcceleration) = (newest.Velocity, newest.Acceleration);
             for (var c = 0; c < Components; c++)
@@ -138,7 +139,7 @@ namespace Nowpose.Prediction.State
             Count = Math.Min(Timing.ConnectedSamples, 1);
             for (int age = 1, at = Components; age < Timing.ConnectedSamples && Count < _capacity; age++)
             {
-                ref readonly var sample = ref buffer[age];
+                var sample = buffer[age];
                 if (sample.Time == _wrongTime) continue;
                 Times[Count++] = sample.Time - NewestTime;
                 for (var c = 0; c < Components; c++) Displacements[at++] = sample[_first + c] - Newest[c];

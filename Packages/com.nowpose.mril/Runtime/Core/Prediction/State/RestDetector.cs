@@ -132,22 +132,21 @@ namespace Nowpose.Prediction.State
         bool IsScatter(double[] samples, int count)
         {
             double path = 0, bends = 0;
-            for (int i = 0, end = (count - 1) * _components; i < end; i += _components)
+            var (n, end) = (_components, (count - 1) * _components);
+            for (var i = 0; i < end; i += n) path += Vectors.Distance(samples, i, samples, i + n, n);
+            if (!(Vectors.Distance(samples, 0, samples, end, n) < MaxProgress * path)) return false;
+            for (var i = 0; i < end - n; i += n)
             {
-                var (squares, bend) = (0.0, 0.0);
-                for (var at = i; at < i + _components; at++)
+                var squares = 0.0;
+                for (var at = i; at < i + n; at++)
                 {
-                    var step = samples[at] - samples[at + _components];
-                    squares += step * step;
-                    if (i + _components == end) continue;
-                    var difference = step - samples[at + _components] + samples[at + 2 * _components];
-                    bend += difference * difference;
+                    var difference = samples[at] - samples[at + n] - samples[at + n] + samples[at + 2 * n];
+                    squares += difference * difference;
                 }
-                path += Math.Sqrt(squares);
-                bends += Math.Sqrt(bend);
+                bends += Math.Sqrt(squares);
             }
-            var (meanStep, progress) = (path / (count - 1), Vectors.Distance(samples, 0, samples, (count - 1) * _components, _components));
-            if (!(progress < MaxProgress * path && bends / (count - 2) > MinRoughness * meanStep)) return false;
+            var meanStep = path / (count - 1);
+            if (!(bends / (count - 2) > MinRoughness * meanStep)) return false;
             Noise += (meanStep - Noise) * (Noise > 0 ? Smoothing : 1);
             return true;
         }
