@@ -19,12 +19,12 @@ namespace Nowpose.Mono.Cost
     {
         const int Runs = 4;
 
-        /// <summary>Maximum ratios of the medians to the medians of the quadratic predictor. The measured ratios are about 8 and 1.3.</summary>
+        /// <summary>Maximum ratios of the medians to the medians of the quadratic predictor. The measured ratios are about 7 and 0.7.</summary>
         const double MaxSampleRatio = 20, MaxFrameRatio = 5;
 
         /// <summary>
         /// Maximum increase of the 99th percentile of a whole frame over that of the quadratic predictor, in µs. The measured increase is
-        /// about 85 µs.
+        /// about 65 µs.
         /// </summary>
         const double MaxIncrease = 250;
 
