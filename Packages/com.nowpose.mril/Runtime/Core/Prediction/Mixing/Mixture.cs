@@ -195,10 +195,14 @@ namespace Nowpose.Prediction.Mixing
             // The weights of the last seconds would displace a constant velocity if they include hold.
             var lineShare = Uses(PredictionParts.ChangePoints) && _changePoints.IsSteady ? 1 : motion.NewestTime < _firstMoveUntil ? FirstMoveShare : 0;
             Array.Clear(_table, 0, _table.Length);
-            AddForecasts(1 - lineShare);
+            AddForecasts((1 - lineShare) * ShareOfForecasts(motion));
             if (lineShare > 0) _forecasters.AddTo(_table, ForecasterSet.Line, lineShare, _points);
             if (_components == 1 && motion.Count > 1) ForecastTable.LimitToDrive(_table, _points, speedFactor * motion.Velocity[0], motion.Interval, _limits);
         }
+
+        // Before the first errors are known, the prior would extend a tracker's noise to a multiple of it. Hold has the remainder.
+        double ShareOfForecasts(MotionState motion) =>
+            _weights.Evidence == 0 ? Math.Min(Math.Max(motion.MeasurePersistence(), 0), 1) : 1;
 
         // Adds the weighted sum, within the limit of the distance, with this share.
         void AddForecasts(double share)

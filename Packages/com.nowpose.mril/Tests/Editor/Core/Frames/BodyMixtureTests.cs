@@ -116,6 +116,29 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(Math.Sqrt(squares / held), Is.LessThan(0.7));
         }
 
+        // Until the first horizon has passed, no error is known. At 10 ms, forecasts for 100 ms amplify noise to many times its size.
+        [Test]
+        public void At_RandomWalkInTheFirstHorizon_StaysNearTheNewestSample()
+        {
+            const double interval = 0.01;
+            var (squares, held) = (0.0, 0.0);
+            for (var seed = 0; seed < 20; seed++)
+            {
+                var (random, position) = (new Random(seed), new Vector3D(0, 0, 0));
+                var body = new BodyPredictor("adaptive", PredictionLimits.Unlimited);
+                for (var k = 0; k < 10; k++)
+                {
+                    position += new Vector3D(random.NextNormal(), random.NextNormal(), random.NextNormal()) * 1e-3;
+                    body.Add(new PoseSample(k * interval, position, UnitQuaternion.Identity), k * interval + Latency);
+                    if (k < 4) continue;
+                    squares += Math.Pow((body.PositionAt(k * interval + Latency) - position).Length, 2);
+                    held += 3 * 1e-6 * Latency / interval;
+                }
+            }
+
+            Assert.That(Math.Sqrt(squares / held), Is.LessThan(2), "distance from the newest sample, relative to the error of hold");
+        }
+
         // Objects of one cell use the same forecasters in turn. The second object is sampled at other times.
         [Test]
         public void At_SharedForecasters_EqualsOwnForecasters()

@@ -10,6 +10,18 @@ namespace Nowpose.Tests.Core.Prediction.State
     {
         const double Interval = 0.05;
 
+        static MotionState Fed(params double[] positions)
+        {
+            var buffer = new SampleBuffer<JointSample>(8, PredictionParts.None, PredictionLimits.Unlimited);
+            var motion = new MotionState(1, 0, 8, buffer.Timing, omitsWrong: false);
+            for (var k = 0; k < positions.Length; k++)
+            {
+                buffer.Add(new JointSample(k * Interval, positions[k]), displayed: double.NaN);
+                motion.Take(buffer);
+            }
+            return motion;
+        }
+
         // Returns the maximum number of samples at a standstill while a motion is fed.
         static int MaxStillSamples(Func<int, double> positionOf, int from, int to)
         {
@@ -36,5 +48,14 @@ namespace Nowpose.Tests.Core.Prediction.State
         [Test]
         public void StillSamples_MotionOfLessThanATenThousandthOfTheMaximumSpeed_IsAStandstill() =>
             Assert.That(MaxStillSamples(k => k < 10 ? k : 9 + 0.9e-4 * (k - 9), 10, 100), Is.EqualTo(90));
+
+        [TestCase(1, 0.0, 1, 2, 3)]
+        [TestCase(0.5, 0.0, 4, 6, 7)]
+        [TestCase(0, 0.0, 1, 1, 1)]
+        [TestCase(-1, 0.0, 1, 0, 1)]
+        [TestCase(1, 5.0, 5, 5)]
+        [TestCase(1, 5.0, 6)]
+        public void MeasurePersistence_Samples_IsTheMeanRatioOfSuccessiveDisplacementsOrOne(double expected, params double[] positions) =>
+            Assert.That(Fed(positions).MeasurePersistence(), Is.EqualTo(expected));
     }
 }
