@@ -23,6 +23,13 @@ namespace Nowpose.Prediction.Candidates
         const double Window = 0.4;
 
         /// <summary>
+        /// Maximum RMS distance of the compared samples from the history, relative to the displacement in a grid step at the maximum speed. Without the limit,
+        /// forecasts from a dissimilar past have such errors that the gate stays closed for several moves after a motion has begun to repeat, and the errors of
+        /// simulated motions are 2.5 % larger. With 0.0125, they are 1.2 % larger; with 0.05, the errors on recordings are 0.3 % larger.
+        /// </summary>
+        const double MaxDistanceRatio = 0.025;
+
+        /// <summary>
         /// Minimum number of samples in motion to compare: with fewer, the starts of different moves look the same, and only the duration of the
         /// rest before the moves would determine the match.
         /// </summary>
@@ -113,10 +120,11 @@ namespace Nowpose.Prediction.Candidates
             _matchedAt = _motion.NewestTime;
             _overlay.Take(_motion, SamplesInWindow());
             var (min, minLag) = (double.PositiveInfinity, MinLag);
+            var maxDistance = MaxDistanceRatio * _motion.MaxSpeed * _history.Step;
             for (var i = 0; i < _search.Count; i++)
             {
                 var lag = _overlay.Find(_search.Lags[i], minLag);
-                if (!_overlay.Compare(lag) || !HasContinuation(lag)) continue;
+                if (!_overlay.Compare(lag) || _overlay.MeanSquare > maxDistance * maxDistance || !HasContinuation(lag)) continue;
                 _lags[_matches] = lag;
                 _errors[_matches] = _overlay.MeanSquare;
                 // The offset of the newest samples from the history is assumed to stay the same.

@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Core.Simulation
         // A cycle of the cell takes about eleven seconds. Scoring starts after three seconds, as in the demo.
         [Category("Study")]
         [Test]
-        public void Run_DefaultSettings_ReductionIsAboveTheLimitsInTheFirstCycleAndFromTheThirdOn(
+        public void Run_DefaultSettings_ReductionIsAboveTheLimitInEachCycle(
             [Values("wifi", "busy-wifi")] string network, [Values(21, 22, 23)] int seed)
         {
             var run = new VirtualCellRun(new VirtualCellSettings(50, 55, 105, 0, 0, NetworkProfile.Named(network)), seed);
@@ -43,10 +43,13 @@ namespace Nowpose.Tests.Core.Simulation
 
             run.Run(3);
             var first = Reduction(run.CycleSeconds - 3);
-            Reduction(run.CycleSeconds);
+            // The start of the motion came before the first sample, and each joint must repeat a move before its next start is predicted.
+            run.Run(4);
+            var second = Reduction(run.CycleSeconds - 4);
             var fromThird = Reduction(2 * run.CycleSeconds);
 
             Assert.That(first, Is.GreaterThan(0.83), "first cycle, seed " + seed);
+            Assert.That(second, Is.GreaterThan(0.98), "second cycle, seed " + seed);
             Assert.That(fromThird, Is.GreaterThan(0.94), "from the third cycle on, seed " + seed);
         }
 

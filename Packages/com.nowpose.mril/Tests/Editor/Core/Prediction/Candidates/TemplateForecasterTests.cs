@@ -82,6 +82,33 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             }
         }
 
+        [Test]
+        public void At_OtherMoves_AreNotPredicted()
+        {
+            var random = new Random(Seed);
+            var predictor = Alone();
+            double time = 0, place = 0;
+            var direction = 1;
+            int predicted = 0, count = 0;
+            for (var move = 0; move < 12; move++, direction = -direction)
+            {
+                var stroke = direction * (100 + 400 * random.NextDouble());
+                var profile = new SevenPhaseProfile(stroke, 500 + 500 * random.NextDouble(), 2000 + 3000 * random.NextDouble(), 50_000);
+                var end = time + profile.Duration;
+                for (var start = time; time < end; time += 0.05)
+                {
+                    predictor.Add(time, place + profile.PositionAt(time - start));
+                    // The first samples of two moves can be similar.
+                    if (time - start < 0.2 || move == 0) continue;
+                    if (predictor.At(time + Ahead).Kind == PredictionKind.Predicted) predicted++;
+                    count++;
+                }
+                place += stroke;
+            }
+
+            Assert.That(predicted, Is.LessThan(0.1 * count), "seed " + Seed);
+        }
+
         [TestCase(1.0)]
         [TestCase(2.5)]
         public void Add_PauseBeyondTheMaximumGap_DiscardsTheCycles(double pause)
