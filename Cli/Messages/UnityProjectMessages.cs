@@ -14,6 +14,9 @@ static class UnityProjectMessages
     public static string TooNew(string package, string version, string allowed) =>
         $"{package} {version} is not supported, so the components for MRTK3 are not compiled; allowed: {allowed}";
 
+    public static string TooNewForHoloLens(string package, string version, string allowed) =>
+        $"{package} {version} is not supported on a HoloLens 2; allowed: {allowed}";
+
     public static string Embedded(string project, string package) =>
         $"--package: {project} has the package in Packages/{package}, which Unity uses instead of --package; remove that folder first";
 

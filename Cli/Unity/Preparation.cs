@@ -88,14 +88,17 @@ sealed class Preparation
         if (_settings.HasMrtk3 && Project.Version.Number < UnityBounds.OldestForMrtk3)
             throw new InputException(UnityProjectMessages.TooOldForMrtk3(Project.VersionPath, Project.Version, UnityBounds.OldestForMrtk3));
         if (judged.State != CheckState.Good) _notes.Add(UnityProjectMessages.Version(judged.Found));
-        if (!_settings.HasMrtk3) _notes.AddRange(TooNew());
+        // With MRTK3, these packages are needed, and a version that is too new is a conflict.
+        if (_settings.HasMrtk3) return;
+        _notes.AddRange(TooNew(ProjectNeeds.Mrtk3.Append(ProjectNeeds.XrInteraction), UnityProjectMessages.TooNew));
+        if (usesMicrosoft) _notes.AddRange(TooNew([ProjectNeeds.OpenXrBefore117, ProjectNeeds.ArFoundation], UnityProjectMessages.TooNewForHoloLens));
     }
 
-    IEnumerable<string> TooNew() =>
-        from package in ProjectNeeds.Mrtk3.Append(ProjectNeeds.XrInteraction)
+    IEnumerable<string> TooNew(IEnumerable<PackageOrigin> packages, Func<string, string, string, string> message) =>
+        from package in packages
         let version = _merge.VersionOf(package.Name)
         where version != null && package.IsTooNew(version)
-        select UnityProjectMessages.TooNew(package.Name, version, package.Bounds);
+        select message(package.Name, version, package.Bounds);
 
     void NeedPackage(PackageFolder package)
     {

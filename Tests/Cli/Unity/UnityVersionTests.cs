@@ -59,6 +59,19 @@ public class UnityVersionTests
         Assert.That(noted.Errors, Does.Contain("com.unity.xr.interaction.toolkit 3.0.4 is not supported"));
     }
 
+    [Test]
+    public async Task Unity_OpenXrWithoutUwp_PrintsANoteAndRejectsTheMrtk3Option()
+    {
+        using var project = new UnityProjectFolder(WithMrtk3.Replace("1.14.3", "1.17.1", StringComparison.Ordinal));
+
+        var refused = await project.RunAsync("--mrtk3");
+        var noted = await project.RunAsync();
+
+        AssertRefused(refused, ManifestMessages.OtherVersion("", "com.unity.xr.openxr", "1.17.1", "older than 1.17.0"));
+        Assert.That(noted.ExitStatus, Is.EqualTo(0));
+        Assert.That(noted.Errors, Does.Contain(UnityProjectMessages.TooNewForHoloLens("com.unity.xr.openxr", "1.17.1", "older than 1.17.0")));
+    }
+
     [TestCase(null, "Packages/manifest.json", "Packages/manifest.json is missing")]
     [TestCase(Empty, "ProjectSettings/ProjectVersion.txt", "ProjectSettings/ProjectVersion.txt is missing")]
     public async Task Unity_FolderIsNotAProject_Fails(string manifest, string without, string reason)

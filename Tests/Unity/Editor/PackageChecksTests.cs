@@ -18,6 +18,8 @@ public sealed class PackageChecksTests : EditorFixture
     [Test]
     public void UnityPackage_Missing_IsRequestedByNameAndFoundOnceInstalled()
     {
+        _reviewed.Settings = new UnityProjectSettings(HeadsetPlatform.AndroidHeadset);
+        _reviewed.Review = new ProjectReview(ProjectChecks.For(HeadsetPlatform.AndroidHeadset), _reviewed.Settings);
         var check = _reviewed.IndexOf("OpenXR");
         Assert.That(_reviewed.Review.Results[check].Found, Is.EqualTo(CheckResults.NotInstalled("com.unity.xr.openxr")));
 
@@ -26,12 +28,24 @@ public sealed class PackageChecksTests : EditorFixture
         Assert.That(_reviewed.Settings.Activity, Is.EqualTo(SetupTexts.Adding("com.unity.xr.openxr")));
 
         Client.Newest.Succeed();
-        PackageInfo.Registered.Add(new PackageInfo("com.unity.xr.openxr", "1.13.0"));
+        PackageInfo.Registered.Add(new PackageInfo("com.unity.xr.openxr", "1.17.1"));
         _reviewed.Review.Refresh();
 
         Assert.That(_reviewed.Settings.Activity, Is.Null);
-        Assert.That(_reviewed.Review.Results[check].Found, Is.EqualTo("com.unity.xr.openxr 1.13.0"));
+        Assert.That(_reviewed.Review.Results[check].Found, Is.EqualTo("com.unity.xr.openxr 1.17.1"));
         Assert.That(_reviewed.Review.Results[check].State, Is.EqualTo(CheckState.Good));
+        PlayerSettings.Android.targetArchitectures = AndroidArchitecture.ARM64 | AndroidArchitecture.X86_64;
+        _reviewed.Review.Refresh();
+        Assert.That(_reviewed.Review.Results[check].State, Is.EqualTo(CheckState.Missing), "this version has no library for x86-64");
+    }
+
+    // The version that the editor recommends may no longer support the player of a HoloLens 2.
+    [Test]
+    public void OpenXr_MissingForAHoloLens_IsRequestedWithAVersion()
+    {
+        _reviewed.Review.Fix(_reviewed.IndexOf("OpenXR"));
+
+        Assert.That(Client.Asked, Is.EqualTo(new[] { "com.unity.xr.openxr@1.13.0" }));
     }
 
     [Test]

@@ -56,6 +56,7 @@ public sealed class PlayerSettings : Object
         enableFrameTimingStats = runInBackground = false;
         WSA.Capabilities.Clear();
         Android.forceInternetPermission = false;
+        Android.targetArchitectures = AndroidArchitecture.ARM64;
     }
 
     public enum WSACapability
@@ -71,6 +72,7 @@ public sealed class PlayerSettings : Object
     public class Android
     {
         public static bool forceInternetPermission { get; set; }
+        public static AndroidArchitecture targetArchitectures { get; set; } = AndroidArchitecture.ARM64;
     }
 
     public sealed class WSA

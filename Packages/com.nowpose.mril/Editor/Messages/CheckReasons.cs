@@ -61,7 +61,9 @@ namespace Nowpose.Editor.Messages
         public const string SpatialPerception = "Needed to keep the robot's base in its place in the room.";
         public const string VoiceCapability = "Needed for the voice commands.";
         public const string InputSystem = "OpenXR provides the poses of head and controllers through the Input System.";
-        public const string OpenXr = "Unity's interface to the headset.";
+        public const string OpenXr =
+            "Unity's interface to the headset. Version 1.17 and newer support neither Universal Windows Platform nor Android with x86-64 "
+            + "(Magic Leap 2).";
         public const string RenderMode = "The package's shaders support this mode, which draws both eyes in one pass.";
         public const string NativeWebSocket = "An alternative to the package's own WebSocket client.";
 

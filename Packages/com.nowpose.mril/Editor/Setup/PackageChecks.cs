@@ -1,3 +1,4 @@
+using System;
 using System.Linq;
 using Nowpose.Editor.Messages;
 
@@ -6,6 +7,10 @@ namespace Nowpose.Editor.Setup
     /// <summary>Checks whether packages are installed in supported versions.</summary>
     static class PackageChecks
     {
+        /// <summary>Checks whether OpenXR is installed in a version that supports the player.</summary>
+        public static ProjectCheck OpenXr { get; } =
+            Of("OpenXR", CheckReasons.OpenXr, ProjectNeeds.OpenXr.Name, ProjectNeeds.OpenXrFor, CheckState.Missing);
+
         /// <summary>Checks the versions of the MRTK3 packages that the sample "HoloLens 2 (MRTK3)" uses. These packages are optional.</summary>
         public static ProjectCheck Mrtk3 { get; } = new ProjectCheck("MRTK3 (optional)", CheckReasons.Mrtk3, project =>
         {
@@ -32,16 +37,21 @@ namespace Nowpose.Editor.Setup
 
         /// <summary>Checks whether a package is installed in a supported version.</summary>
         /// <param name="without">State of a project without the package or with an unsupported version.</param>
-        public static ProjectCheck Of(string title, string why, PackageOrigin package, CheckState without = CheckState.Missing) => new ProjectCheck(
+        public static ProjectCheck Of(string title, string why, PackageOrigin package, CheckState without = CheckState.Missing) =>
+            Of(title, why, package.Name, project => package, without);
+
+        static ProjectCheck Of(
+            string title, string why, string name, Func<IProjectSettings, PackageOrigin> needed, CheckState without) => new ProjectCheck(
             title, why,
             project =>
             {
+                var package = needed(project);
                 var version = project.VersionOf(package.Name);
                 if (version == null) return new CheckResult(without, CheckResults.NotInstalled(package.Name));
                 return package.Serves(version) == true
                     ? CheckResult.Good(package.Name + " " + version) : new CheckResult(without, OutsideBounds(package, version));
             },
-            CheckTitles.AddPackage(package.Name), ProjectCheck.Always(project => project.Add(package)));
+            CheckTitles.AddPackage(name), ProjectCheck.Always(project => project.Add(needed(project))));
 
         static string OutsideBounds(PackageOrigin package, string version) =>
             CheckResults.OutsideBounds(package.Name, version, package.IsTooNew(version), package.Bounds);

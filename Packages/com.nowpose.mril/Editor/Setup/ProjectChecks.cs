@@ -24,7 +24,7 @@ namespace Nowpose.Editor.Setup
             RenderingChecks.GraphicsJobs,
             RenderingChecks.Pipeline,
             PlayerChecks.InputHandling,
-            OpenXr,
+            PackageChecks.OpenXr,
             PackageChecks.Of("Mixed Reality OpenXR", CheckReasons.MixedRealityOpenXr, ProjectNeeds.MixedRealityOpenXr),
             PackageChecks.Of("AR Foundation", CheckReasons.ArFoundation, ProjectNeeds.ArFoundation, CheckState.Advice),
             OpenXrChecks.Loader(HeadsetPlatform.HoloLens2),
@@ -58,7 +58,7 @@ namespace Nowpose.Editor.Setup
             PlayerChecks.ApiLevel,
             RenderingChecks.Pipeline,
             PlayerChecks.InputHandling,
-            OpenXr,
+            PackageChecks.OpenXr,
             PackageChecks.Of("Input System", CheckReasons.InputSystem, ProjectNeeds.InputSystem),
             OpenXrChecks.Loader(HeadsetPlatform.AndroidHeadset),
             RenderMode,
@@ -67,8 +67,6 @@ namespace Nowpose.Editor.Setup
             PlayerChecks.RunInBackground,
             NativeWebSocket,
         };
-
-        static ProjectCheck OpenXr => PackageChecks.Of("OpenXR", CheckReasons.OpenXr, ProjectNeeds.OpenXr);
 
         static ProjectCheck RenderMode => OpenXrChecks.Option("Render Mode", CheckReasons.RenderMode, "m_renderMode", RenderModes);
 

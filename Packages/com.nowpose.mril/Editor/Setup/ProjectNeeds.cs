@@ -9,7 +9,13 @@ namespace Nowpose.Editor.Setup
         /// <summary>Name of the Nowpose package.</summary>
         public const string Package = "com.nowpose.mril";
 
+        /// <summary>OpenXR for the Android player for ARM64.</summary>
         public static readonly PackageOrigin OpenXr = PackageOrigin.OfUnity("com.unity.xr.openxr", "1.13.0", isEditorsChoice: true);
+
+        /// <summary>
+        /// OpenXR for Universal Windows Platform (HoloLens 2) and for the Android player for x86-64 (Magic Leap 2). Version 1.17 supports neither.
+        /// </summary>
+        public static readonly PackageOrigin OpenXrBefore117 = PackageOrigin.OfUnity("com.unity.xr.openxr", "1.13.0", below: "1.17.0");
 
         public static readonly PackageOrigin MixedRealityOpenXr =
             PackageOrigin.Of(ScopedRegistry.Microsoft, "com.microsoft.mixedreality.openxr", "1.11.2", min: "1.11.1");
@@ -51,12 +57,16 @@ namespace Nowpose.Editor.Setup
         /// <summary>Packages of a project with MRTK3 on a HoloLens 2, in addition to <see cref="Always"/>.</summary>
         public static readonly IReadOnlyList<PackageOrigin> HoloLensWithMrtk3 = new[]
         {
-            OpenXr, MixedRealityOpenXr, ArFoundation, InputSystem, XrInteraction,
+            OpenXrBefore117, MixedRealityOpenXr, ArFoundation, InputSystem, XrInteraction,
             PackageOrigin.At(
                 "com.microsoft.mrtk.graphicstools.unity",
                 "https://github.com/microsoft/MixedReality-GraphicsTools-Unity.git?path=/com.microsoft.mrtk.graphicstools.unity#v0.8.0",
                 min: "0.8.0"),
         }.Concat(Mrtk3).ToArray();
+
+        /// <summary>Returns the supported versions of OpenXR for the player of a project.</summary>
+        public static PackageOrigin OpenXrFor(IProjectSettings project) =>
+            project.Platform == HeadsetPlatform.HoloLens2 || project.TargetsX64 ? OpenXrBefore117 : OpenXr;
 
         static PackageOrigin Mrtk(string part, string version, string min = "3.0.0") => PackageOrigin.At(
             "org.mixedrealitytoolkit." + part,

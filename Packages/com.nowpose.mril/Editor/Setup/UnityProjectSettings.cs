@@ -56,6 +56,8 @@ namespace Nowpose.Editor.Setup
             set => EditorUserBuildSettings.wsaArchitecture = value;
         }
 
+        public bool TargetsX64 => (PlayerSettings.Android.targetArchitectures & AndroidArchitecture.X86_64) != 0;
+
         public bool UsesNetStandard
         {
             get => PlayerSettings.GetApiCompatibilityLevel(Platform.Named) == ApiCompatibilityLevel.NET_Standard;

@@ -29,6 +29,23 @@ namespace Nowpose.Tests.Unity.Setup
             Assert.That(State(PlayerChecks.EditorVersion, android), Is.EqualTo("Advice"));
         }
 
+        // OpenXR 1.17 has no libraries for Universal Windows Platform and for Android with x86-64.
+        [TestCase("1.16.1", false, true, "Good")]
+        [TestCase("1.17.0-pre.2", false, true, "Missing")]
+        [TestCase("1.17.1", false, true, "Missing")]
+        [TestCase("1.17.1", true, false, "Good")]
+        [TestCase("1.17.1", true, true, "Missing")]
+        [TestCase("1.16.1", true, true, "Good")]
+        public void OpenXr_InstalledVersion_IsJudgedForThePlayer(string version, bool isAndroid, bool isX64, string state)
+        {
+            var project = new FakeProject(isAndroid ? HeadsetPlatform.AndroidHeadset : HeadsetPlatform.HoloLens2) { TargetsX64 = isX64 };
+            project.Installed["com.unity.xr.openxr"] = version;
+
+            Assert.That(State(PackageChecks.OpenXr, project), Is.EqualTo(state));
+            PackageChecks.OpenXr.Fix(project);
+            Assert.That(State(PackageChecks.OpenXr, project), Is.EqualTo("Good"));
+        }
+
         [TestCase(null, null, "Good")]
         [TestCase("3.3.0", "2.6.3", "Good")]
         [TestCase("3.3.0-development", null, "Good")]
