@@ -8,13 +8,15 @@ public sealed class ARAnchor : ARTrackable<XRAnchor, ARAnchor>
 {
     void OnEnable()
     {
-        if (ARAnchorManager.Instance) ARAnchorManager.Instance.TryAdd(this);
-        else pending = true;
+        var manager = ARAnchorManager.Instance;
+        if (!manager) pending = true;
+        // Since version 6, an anchor that the device refuses disables itself.
+        else if (trackableId == TrackableId.invalidId && !manager.TryAdd(this) && Version6.IsInstalled) enabled = false;
     }
 
     void Update()
     {
-        if (trackableId == TrackableId.invalidId && ARAnchorManager.Instance) ARAnchorManager.Instance.TryAdd(this);
+        if (!Version6.IsInstalled && trackableId == TrackableId.invalidId && ARAnchorManager.Instance) ARAnchorManager.Instance.TryAdd(this);
     }
 
     void OnDisable()

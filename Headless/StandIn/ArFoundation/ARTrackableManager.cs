@@ -36,8 +36,10 @@ public abstract class ARTrackableManager<TSubsystem, TSubsystemDescriptor, TProv
     {
         if (subsystem == null || !subsystem.running) return;
 
-        foreach (var changed in subsystem.Changed) CreateOrUpdate(changed);
-        subsystem.Changed.Clear();
+        foreach (var added in subsystem.Added) Add(added);
+        subsystem.Added.Clear();
+        foreach (var updated in subsystem.Updated) CreateOrUpdate(updated);
+        subsystem.Updated.Clear();
         foreach (var removed in subsystem.Removed)
             if (m_Trackables.Remove(removed, out var trackable) && trackable) Destroy(trackable.gameObject);
         subsystem.Removed.Clear();
@@ -61,20 +63,29 @@ public abstract class ARTrackableManager<TSubsystem, TSubsystemDescriptor, TProv
     {
     }
 
+    void Add(TSessionRelativeData data)
+    {
+        if (Version6.IgnoresAddedComponents) OnUpdated(Create(data), data);
+        else CreateOrUpdate(data);
+    }
+
     void CreateOrUpdate(TSessionRelativeData data)
     {
-        if (!m_Trackables.TryGetValue(data.trackableId, out var trackable))
-        {
-            var place = new GameObject(typeof(TTrackable).Name + " " + data.trackableId);
-            place.SetActive(false);
-            place.transform.SetParent(origin.TrackablesParent, false);
-            trackable = place.AddComponent<TTrackable>();
-            m_Trackables.Add(data.trackableId, trackable);
-            trackable.Set(data, origin.TrackablesParent);
-            place.SetActive(true);
-        }
+        if (!m_Trackables.TryGetValue(data.trackableId, out var trackable)) trackable = Create(data);
         trackable.pending = false;
         trackable.Set(data, origin.TrackablesParent);
         OnUpdated(trackable, data);
+    }
+
+    TTrackable Create(TSessionRelativeData data)
+    {
+        var place = new GameObject(typeof(TTrackable).Name + " " + data.trackableId);
+        place.SetActive(false);
+        place.transform.SetParent(origin.TrackablesParent, false);
+        var trackable = place.AddComponent<TTrackable>();
+        m_Trackables[data.trackableId] = trackable;
+        trackable.Set(data, origin.TrackablesParent);
+        place.SetActive(true);
+        return trackable;
     }
 }

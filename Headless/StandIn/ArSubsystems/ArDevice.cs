@@ -12,6 +12,9 @@ sealed class ArDevice : IDisposable
 
     internal static ArDevice Current { get; private set; }
 
+    /// <summary>Installed version of AR Foundation. The managers' behaviour depends on it.</summary>
+    internal Version ArFoundation { get; set; } = new(6, 2);
+
     /// <summary>Value of <c>ARSession.state</c> as a number, for example 0 for None and 7 for SessionTracking.</summary>
     internal int SessionState { get; set; } = 7;
 

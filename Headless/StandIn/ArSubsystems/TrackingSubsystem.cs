@@ -10,12 +10,21 @@ public abstract class TrackingSubsystem<TTrackable, TSubsystem, TSubsystemDescri
     where TSubsystemDescriptor : SubsystemDescriptorWithProvider
     where TProvider : SubsystemProvider<TSubsystem>
 {
-    /// <summary>Trackables that the device has added or changed since the last query.</summary>
-    internal List<TTrackable> Changed { get; } = new();
+    readonly HashSet<TrackableId> _reported = new();
+
+    /// <summary>Trackables that the device has added since the last query.</summary>
+    internal List<TTrackable> Added { get; } = new();
+
+    /// <summary>Trackables that the device has changed since the last query.</summary>
+    internal List<TTrackable> Updated { get; } = new();
 
     internal List<TrackableId> Removed { get; } = new();
 
-    internal void Report(TTrackable trackable) => Changed.Add(trackable);
+    internal void Report(TTrackable trackable) => (_reported.Add(trackable.trackableId) ? Added : Updated).Add(trackable);
 
-    internal void Remove(TrackableId id) => Removed.Add(id);
+    internal void Remove(TrackableId id)
+    {
+        _reported.Remove(id);
+        Removed.Add(id);
+    }
 }

@@ -11,7 +11,10 @@ using Object = UnityEngine.Object;
 
 namespace Nowpose.Unity.Tests.Devices;
 
-public sealed class ArSpatialAnchorsTests
+[TestFixture("5.1")]
+[TestFixture("6.2")]
+[TestFixture("6.3")]
+public sealed class ArSpatialAnchorsTests(string arFoundation)
 {
     static readonly RigidTransform Place = RigidTransform.FromXyzRpy(1.5, -0.4, 0.8, 0.1, 0.2, 0.3);
 
@@ -26,6 +29,7 @@ public sealed class ArSpatialAnchorsTests
     {
         _cell = new PlayedCell();
         _origin = new PlayedOrigin();
+        _origin.Device.ArFoundation = Version.Parse(arFoundation);
         _device = _origin.Device.Offer<XRAnchorSubsystem>();
         _object = new GameObject("Anchors");
         _anchors = _object.AddComponent<ArSpatialAnchors>();
@@ -160,7 +164,7 @@ public sealed class ArSpatialAnchorsTests
         _device.Stop();
         Run(1);
         var meanwhile = anchor.State;
-        using var restarted = new ArDevice();
+        using var restarted = new ArDevice { ArFoundation = Version.Parse(arFoundation) };
         restarted.Offer<XRAnchorSubsystem>();
         _cell.Player.ReportGpuTime(TimeSpan.FromMilliseconds(5));
         Run(1);
@@ -187,21 +191,17 @@ public sealed class ArSpatialAnchorsTests
         Assert.That(anchor.Problem, Is.EqualTo(DeviceMessages.AnchorNotCreated));
     }
 
-    // AR Foundation 6 deactivates the object of a refused anchor; later versions disable the component.
-    [TestCase(false)]
-    [TestCase(true)]
-    public void Hold_AnchorDisablesItselfOrItsObject_FailsImmediately(bool isObject)
+    [Test]
+    public void Hold_DeviceAcceptsAnchorsLater_AnchorIsHeld()
     {
         _device.Accepts = false;
         var anchor = _anchors.Hold(Place);
-        Run(0.1);
+        Run(5);
 
-        var refused = Object.FindObjectOfType<ARAnchor>();
-        if (isObject) refused.gameObject.SetActive(false);
-        else refused.enabled = false;
-        Run(0.1);
+        _device.Accepts = true;
+        Run(1.1);
 
-        Assert.That(anchor.State, Is.EqualTo(SpatialAnchorState.Failed));
+        Assert.That((anchor.State, anchor.Problem), Is.EqualTo((SpatialAnchorState.Tracking, (string)null)));
     }
 
     [Test]

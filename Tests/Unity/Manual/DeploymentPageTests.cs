@@ -14,7 +14,10 @@ public sealed partial class DeploymentPageTests
 
     static IEnumerable<TestCaseData> Ranges =>
         from path in RepositoryFiles.Under(RepositoryFiles.Package + "/Runtime", ".asmdef")
-        from define in JsonDocument.Parse(RepositoryFiles.Read(path)).RootElement.GetProperty("versionDefines").EnumerateArray()
+        let definition = JsonDocument.Parse(RepositoryFiles.Read(path)).RootElement
+        let needed = definition.GetProperty("defineConstraints").EnumerateArray().Select(d => d.GetString()).ToHashSet()
+        from define in definition.GetProperty("versionDefines").EnumerateArray()
+        where needed.Contains(define.GetProperty("define").GetString())
         let package = define.GetProperty("name").GetString()
         let expression = define.GetProperty("expression").GetString()
         from version in VersionsOf(package)

@@ -20,9 +20,8 @@ namespace Nowpose.ArFoundation
         const float NearMetres = 0.1f;
 
         readonly ArSpatialAnchors _owner;
-        readonly Pose _wanted;
+        readonly AnchorCreation _creation;
         readonly TrackableId _loaded;
-        readonly bool _isLoaded;
         readonly AnchorKeeping _keeping;
         readonly float _since;
         ARAnchor _anchor;
@@ -35,7 +34,7 @@ namespace Nowpose.ArFoundation
         public ArSpatialAnchor(ArSpatialAnchors owner, Pose world, in RigidTransform room)
             : this(owner)
         {
-            _wanted = world;
+            _creation = new AnchorCreation(world);
             Pose = room;
         }
 
@@ -44,7 +43,6 @@ namespace Nowpose.ArFoundation
             : this(owner)
         {
             _loaded = id;
-            _isLoaded = true;
             _keeping.KeptAs = keptAs;
         }
 
@@ -73,8 +71,7 @@ namespace Nowpose.ArFoundation
             // The device's anchor is destroyed only if no other object uses it.
             var isLast = _owner.Remove(this);
             if (_state == SpatialAnchorState.Failed) return;
-            if (_anchor != null && isLast) Object.Destroy(_anchor.gameObject);
-            _anchor = null;
+            if (!isLast) _anchor = null;
             End("it was released");
         }
 
@@ -90,39 +87,26 @@ namespace Nowpose.ArFoundation
             if (_anchor == null)
             {
                 if (_wasThere) End(DeviceMessages.AnchorRemoved);
-                else if (!_isLoaded && IsLate) End(_owner.Problem ?? DeviceMessages.NoAnchors);
+                else if (!IsLoaded && Time.unscaledTime - _since > CreationTimeoutSeconds)
+                    End(_owner.Problem ?? _creation.Problem ?? DeviceMessages.NoAnchors);
                 return;
             }
             _wasThere = true;
-            if (_anchor.trackableId == TrackableId.invalidId)
-            {
-                // AR Foundation 6 deactivates the object of an anchor that the device refused; later versions disable the anchor.
-                if (!_anchor.enabled || !_anchor.gameObject.activeSelf || IsLate) End(DeviceMessages.AnchorNotCreated);
-                return;
-            }
             Track();
         }
 
-        bool IsLate => Time.unscaledTime - _since > CreationTimeoutSeconds;
+        bool IsLoaded => _creation == null;
 
         void Begin()
         {
             if (!_owner.IsRunning) return;
-            if (_isLoaded)
-            {
-                _owner.Manager.trackables.TryGetTrackable(_loaded, out _anchor);
-                return;
-            }
-            // Below the XR Origin, the object exists as long as the device's session. In the active scene, it would end with that scene.
-            var place = new GameObject("Nowpose Anchor");
-            place.transform.SetParent(_owner.Trackables, false);
-            place.transform.SetPositionAndRotation(_wanted.position, _wanted.rotation);
-            _anchor = place.AddComponent<ARAnchor>();
+            if (!IsLoaded) _creation.Follow(_owner.Manager.subsystem, _owner.Trackables);
+            var id = IsLoaded ? _loaded : _creation.Id;
+            if (id != TrackableId.invalidId) _owner.Manager.trackables.TryGetTrackable(id, out _anchor);
         }
 
         void Track()
         {
-            if (_anchor.pending) return;
             var place = _anchor.transform;
             if (_owner.IsRunning && (_subsystem ??= _owner.Manager.subsystem) != _owner.Manager.subsystem)
             {
@@ -132,7 +116,7 @@ namespace Nowpose.ArFoundation
             // Without its subsystem, the anchor keeps its last state.
             if (!_owner.IsRunning || _anchor.trackingState != TrackingState.Tracking || (_owner.IsSessionOrigin(place.position) && !IsNear(place.position)))
             {
-                if (_state == SpatialAnchorState.Tracking || _isLoaded) _state = SpatialAnchorState.Lost;
+                if (_state == SpatialAnchorState.Tracking || IsLoaded) _state = SpatialAnchorState.Lost;
                 return;
             }
             _state = SpatialAnchorState.Tracking;
@@ -146,6 +130,7 @@ namespace Nowpose.ArFoundation
         void End(string problem)
         {
             if (_anchor != null) Object.Destroy(_anchor.gameObject);
+            else if (!_wasThere) _creation?.Release();
             _anchor = null;
             _state = SpatialAnchorState.Failed;
             _problem = problem;

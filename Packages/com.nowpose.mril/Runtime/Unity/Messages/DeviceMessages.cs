@@ -28,6 +28,7 @@ namespace Nowpose.Unity.Messages
         public const string AnchorRemoved = "the device has removed the anchor; lock or place the base again";
         public const string NoAnchors = "the device has no anchors; lock or place the base again";
         public const string AnchorNotCreated = "the device cannot create an anchor here; look around, so that it maps the room, and lock or place the base again";
+        public static string AnchorRefused(string reason) => $"the device cannot create an anchor: {reason}; lock or place the base again";
         public const string AnchorNeeds = "anchors need a device that supports them";
         public const string ImageNeeds = "tracked images need a library with the images, and a device that tracks images";
 
