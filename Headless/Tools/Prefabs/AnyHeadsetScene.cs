@@ -61,8 +61,9 @@ static class AnyHeadsetScene
     {
         var actions = CellObjects.AddActions(assets, session);
         var buttons = Children.Add("Buttons", session.transform);
-        Button(actions, buttons, nameof(CellActions.ToggleConnected), Right + "{PrimaryButton}", "<Keyboard>/c");
-        Button(actions, buttons, nameof(CellActions.TogglePanel), Right + "{SecondaryButton}", "<Keyboard>/p");
+        // The controller of Magic Leap 2 has a menu button and a trigger, and no primary and secondary button.
+        Button(actions, buttons, nameof(CellActions.ToggleConnected), Right + "{PrimaryButton}", Right + "{MenuButton}", "<Keyboard>/c");
+        Button(actions, buttons, nameof(CellActions.TogglePanel), Right + "{SecondaryButton}", Right + "{TriggerButton}", "<Keyboard>/p");
         Button(actions, buttons, nameof(CellActions.LockBase), Right + "{Primary2DAxisClick}", "<Keyboard>/l");
         Button(actions, buttons, nameof(CellActions.ToggleGhost), Left + "{PrimaryButton}", "<Keyboard>/g");
         Button(actions, buttons, nameof(CellActions.ToggleOcclusion), Left + "{SecondaryButton}", "<Keyboard>/o");
