@@ -9,8 +9,8 @@ namespace Nowpose.Editor.Messages
         public static string BuildTarget(string headset) => $"This is the player for {headset}; the settings below belong to this player.";
 
         public const string CameraBackground =
-            "Black is transparent on a see-through display. A skybox or a colour covers the real robot, and pictures that the headset takes "
-            + "need the alpha channel.";
+            "Black is transparent on a see-through display, and alpha 0 shows the video of a passthrough headset. A skybox or a colour covers the real "
+            + "robot, and pictures that the headset takes need the alpha channel.";
 
         public const string FrameTiming =
             "Frame Timing Stats provide the GPU time per frame. Without them, the render time is measured less accurately, and a limit of "

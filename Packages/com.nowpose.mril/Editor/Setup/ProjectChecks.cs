@@ -65,6 +65,7 @@ namespace Nowpose.Editor.Setup
             PlayerChecks.InternetAccess,
             PlayerChecks.FrameTiming,
             PlayerChecks.RunInBackground,
+            RenderingChecks.CameraBackground,
             NativeWebSocket,
         };
 

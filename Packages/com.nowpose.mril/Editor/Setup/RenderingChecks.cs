@@ -43,7 +43,8 @@ namespace Nowpose.Editor.Setup
         public static ProjectCheck Pipeline { get; } = new ProjectCheck(CheckTitles.RenderPipeline, CheckReasons.RenderPipeline, LookAtPipeline);
 
         /// <summary>
-        /// Checks whether the main camera of the open scenes clears to black with alpha 0. A see-through display shows this colour as transparent.
+        /// Checks whether the main camera of the open scenes clears to black with alpha 0. A see-through display shows this colour as transparent,
+        /// and video passthrough is visible through it.
         /// </summary>
         public static ProjectCheck CameraBackground { get; } = new ProjectCheck(
             CheckTitles.CameraBackground, CheckReasons.CameraBackground,
