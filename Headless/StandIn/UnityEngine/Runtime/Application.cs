@@ -20,6 +20,7 @@ public class Application
 
     public static bool isPlaying => World.Current.IsPlaying;
     public static bool isEditor => !isPlaying;
+    public static RuntimePlatform platform => Host.Platform;
     public static string unityVersion => Host.UnityVersion;
 
     public static bool runInBackground

@@ -13,6 +13,9 @@ sealed class Host
     /// <summary>Unity version of the editor or player.</summary>
     internal string UnityVersion { get; } = "2022.3.62f1";
 
+    internal RuntimePlatform Platform { get; set; } = RuntimePlatform.WindowsPlayer;
+    internal string DeviceName { get; set; } = "Stand-in 1";
+    internal string DeviceIdentifier { get; set; } = "0123456789abcdef";
     internal bool RunInBackground { get; set; } = true;
     internal bool Focused { get; set; } = true;
 
