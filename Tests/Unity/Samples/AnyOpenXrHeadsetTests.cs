@@ -66,16 +66,28 @@ public sealed class AnyOpenXrHeadsetTests
         Assert.That(_cell.Player.Logs.Where(log => log.Type is LogType.Error or LogType.Exception).Select(log => log.Message), Is.Empty);
     }
 
-    [Test]
-    public void Head_Moves_CameraFollows()
+    // The tracking space of a headset starts at the floor or at the head. The base is placed relative to the head in both cases.
+    [TestCase(1.6f)]
+    [TestCase(0.05f)]
+    public void Head_Moves_CameraFollowsFromItsInitialHeight(float height)
     {
-        Controls.Set("<XRHMD>/centerEyePosition", new Vector3(0.1f, 1.6f, -0.2f));
-        Controls.Set("<XRHMD>/centerEyeRotation", Quaternion.Euler(10, 20, 0));
-        Run(0.1);
-
         var camera = _cell.Player.Find<Camera>().transform;
-        Assert.That(camera.position, Is.EqualTo(new Vector3(0.1f, 1.6f, -0.2f)));
+        MoveHead(new Vector3(0.1f, height, -0.2f), Quaternion.identity);
+        var first = camera.position;
+
+        MoveHead(new Vector3(0.2f, height - 0.1f, -0.2f), Quaternion.Euler(10, 20, 0));
+
+        Assert.That((first - new Vector3(0.1f, 0, -0.2f)).magnitude, Is.LessThan(1e-5f));
+        Assert.That((camera.position - new Vector3(0.2f, -0.1f, -0.2f)).magnitude, Is.LessThan(1e-5f));
         Assert.That(Quaternion.Angle(camera.rotation, Quaternion.Euler(10, 20, 0)), Is.LessThan(0.1f));
+        Assert.That(Marker.transform.position.y, Is.EqualTo(-0.6f).Within(1e-5), "below the head, and not below the floor");
+    }
+
+    void MoveHead(Vector3 position, Quaternion rotation)
+    {
+        Controls.Set("<XRHMD>/centerEyePosition", position);
+        Controls.Set("<XRHMD>/centerEyeRotation", rotation);
+        Run(0.1);
     }
 
     // The controller of Magic Leap 2 has a menu button and no primary button.

@@ -4,7 +4,11 @@ using UnityEngine.InputSystem.XR;
 
 namespace Nowpose.Samples
 {
-    /// <summary>Makes the camera follow the head. Adds the Input System's Tracked Pose Driver if the object does not have one.</summary>
+    /// <summary>
+    /// Makes the camera follow the head, and moves its parent so that the head starts at height 0. Adds the Input System's Tracked Pose Driver if the
+    /// object does not have one.
+    /// </summary>
+    /// <remarks>Headsets measure the height of the head from the floor or from its initial position, so the height of the base would differ.</remarks>
     [AddComponentMenu("Nowpose/Samples/Head Tracking")]
     [RequireComponent(typeof(Camera))]
     [DisallowMultipleComponent]
@@ -12,12 +16,22 @@ namespace Nowpose.Samples
     {
         const string Head = "<XRHMD>/centerEye";
 
+        bool _isLevel;
+
         void OnEnable()
         {
             if (GetComponent<TrackedPoseDriver>() != null) return;
             var driver = gameObject.AddComponent<TrackedPoseDriver>();
             driver.positionInput = new InputActionProperty(new InputAction(binding: Head + "Position", expectedControlType: "Vector3"));
             driver.rotationInput = new InputActionProperty(new InputAction(binding: Head + "Rotation", expectedControlType: "Quaternion"));
+        }
+
+        void Update()
+        {
+            // Until the headset tracks the head, the camera stays at its parent.
+            if (_isLevel || transform.parent == null || transform.localPosition == Vector3.zero) return;
+            transform.parent.localPosition += Vector3.down * transform.localPosition.y;
+            _isLevel = true;
         }
     }
 }
