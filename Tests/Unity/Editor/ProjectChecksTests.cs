@@ -92,6 +92,18 @@ public sealed class ProjectChecksTests : EditorFixture
         Assert.That(capabilities, Is.EqualTo(needed.Select(CheckTitles.Capability)));
     }
 
+    [TestCase(BuildTarget.StandaloneWindows64, true)]
+    [TestCase(BuildTarget.Android, false)]
+    public void BuildTarget_OfAPc_StatesThatTheChecksDoNotApply(BuildTarget target, bool isPc)
+    {
+        EditorUserBuildSettings.SwitchActiveBuildTarget(UnityEditor.Build.NamedBuildTarget.Android, target);
+        _reviewed.Review.Refresh();
+
+        var found = _reviewed.Review.Results[_reviewed.IndexOf(CheckTitles.BuildTarget(HeadsetPlatform.HoloLens2.Player))].Found;
+
+        Assert.That(found.EndsWith(CheckResults.PcHeadset, StringComparison.Ordinal), Is.EqualTo(isPc), found);
+    }
+
     [Test]
     public void BuildTarget_EditorWithoutUwp_NamesTheRemedy()
     {

@@ -6,7 +6,11 @@ namespace Nowpose.Editor.Messages
     static class CheckResults
     {
         public static string Architecture(string architecture) => $"the app is built for {architecture}";
-        public static string BuildTarget(string target) => $"the project is built for {target}";
+        public const string PcHeadset = "; a headset on a PC was not examined, and these checks do not apply to it";
+
+        public static string BuildTarget(string target) =>
+            $"the project is built for {target}" + (target.StartsWith("Standalone", StringComparison.Ordinal) ? PcHeadset : "");
+
 
         public const string NoCamera = "the open scenes have no enabled camera with the tag MainCamera; open the scene of the headset";
         public const string CameraBackground = "the camera clears to a skybox or to another colour";
