@@ -136,7 +136,8 @@ signals:
   /** Starts an adapter for a robot with the latched messages /closed and /width. `now` returns the time of the gateway's clock. */
   async function latched(t, { robot: options = {}, plant = '', rest = SIGNAL, now = ahead } = {}) {
     const robot = await Robot.start(t, options), bridge = await RosbridgeDouble.start(t, { now: () => now() });
-    robot.latched.set('/closed', { data: true }).set('/width', { data: 0.04 });
+    robot.publish('/closed', { data: true }, { isLatched: true });
+    robot.publish('/width', { data: 0.04 }, { isLatched: true });
     const { err } = start(t, [temporaryFile('plant.yaml', `gateway: { url: "${bridge.url}" }\nplant: { kind: ros, name: arm, endpoint: "${robot.url}"${plant} }\n${rest}`)]);
     return { robot, bridge, last: expected => until(() => changes(bridge).some(([stamp, value]) => value === 1 && expected(stamp)), () => JSON.stringify(bridge.state) + err) };
   }

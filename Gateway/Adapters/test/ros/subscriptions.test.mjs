@@ -1,10 +1,12 @@
 // Tests the subscriptions to topics of which no message arrives.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
+import { WebSocket } from 'ws';
 import { messages } from '../messages.mjs';
 import { parts } from '../parts.mjs';
 import { until } from '../program.mjs';
 import { cell, states } from './cell.mjs';
+import { Robot } from './robot.mjs';
 
 const { rosMessages } = messages;
 const { renewing } = await parts('ros/renewals');
@@ -37,6 +39,27 @@ describe('subscriptions of ros', { concurrency: 4 }, () => {
 
     assert.deepEqual(robot.heard.filter(({ op }) => op === 'unsubscribe'), []);
   });
+
+  for (const [name, ros, others, expected] of [['FirstClient', 2, 0, 'live'], ['LaterClient', 2, 1, 'missing'], ['LaterClientOfRos1', 1, 1, 'live']])
+    it(`Subscriptions_TwoPublishersOfTfStatic_TheSecondFrameOfA${name}Is${expected}`, async t => {
+      const robot = await Robot.start(t, { ros });
+      for (const frame of ['rack', 'table'])
+        robot.publish('/tf_static', { transforms: [{
+          header: { stamp: robot.time(robot.now()), frame_id: 'world' }, child_frame_id: frame,
+          transform: { translation: { x: 1, y: 0, z: 0 }, rotation: { x: 0, y: 0, z: 0, w: 1 } },
+        }] }, { isLatched: true, publisher: frame });
+      for (let i = 0; i < others; i++) {
+        const other = new WebSocket(robot.url);
+        t.after(() => other.terminate());
+        other.on('open', () => other.send(JSON.stringify({ op: 'subscribe', topic: '/tf_static', type: 'tf2_msgs/TFMessage' })));
+        await until(() => robot.isHeardBy('/tf_static'), 'the subscription of the other client');
+      }
+      const { bridge } = await cell(t, { robot }, { rest: 'frames: [{ frame: rack }, { frame: table }]\n' });
+
+      await until(() => bridge.state?.['frame/rack']?.startsWith('live'), () => JSON.stringify(bridge.state));
+
+      await until(() => bridge.state['frame/table'].startsWith(expected), () => JSON.stringify(bridge.state));
+    });
 
   it('Subscriptions_LongConnection_AreReplacedRarely', async () => {
     const ending = new AbortController(), times = [], seconds = [];
