@@ -44,8 +44,8 @@ for (const kind of ['opcua', 'ads', 'mqtt', 'ros'])
 
     assert.equal(plant.kind, kind);
     assert.deepEqual(signals.map(({ signal }) => signal), ['gripper_closed', kind === 'ros' ? 'force' : 'belt_speed']);
-    // A file for ROS describes one robot. Its first two poses are messages with a quaternion.
-    if (kind === 'ros') assert.deepEqual([plant.namespace, frames.map(({ angles }) => angles !== undefined)], ['arm2', [false, false, true]]);
+    // A file for ROS describes one robot. Its first three poses are messages with a quaternion.
+    if (kind === 'ros') assert.deepEqual([plant.namespace, frames.map(({ angles }) => angles !== undefined)], ['arm2', [false, false, false, true]]);
     else assert.deepEqual([Object.keys(robots), frames.map(({ quaternion, angles }) => [quaternion !== undefined, angles !== undefined])], [['arm2'], [[true, false], [false, true]]]);
   });
 

@@ -106,6 +106,12 @@ const typesIn = (urdf: string): Map<string, string> => {
 /** Gets the names of the links in a robot description. */
 export const linksIn = (urdf: string): string[] => elementsIn(urdf, 'link').flatMap(attributes => attributeIn(attributes, 'name') ?? []);
 
+/** Gets the name of the link that is not the child of any joint; null if there is none. */
+export function rootLinkIn(urdf: string): string | null {
+  const children = new Set(elementsIn(urdf, 'child').map(attributes => attributeIn(attributes, 'link')));
+  return linksIn(urdf).find(link => !children.has(link)) ?? null;
+}
+
 /** Gets the attributes of the elements with this name, as the text of each start tag. */
 const elementsIn = (urdf: string, element: string): string[] =>
   [...urdf.replace(/<!--[^]*?-->/g, '').matchAll(new RegExp(`<${element}(\\s(?:"[^"]*"|'[^']*'|[^>"'])*)`, 'g'))].map(([, attributes]) => attributes);

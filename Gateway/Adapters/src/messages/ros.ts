@@ -11,6 +11,10 @@ export const rosMessages = {
   noDescription: (topic: string) =>
     `no robot description has arrived on ${topic}; set robot to a URDF file, or start its publisher (in ROS 1 the description is a parameter); if `
     + 'the headsets have their own, set plant.topics.robot_description: false',
+  /** @param root Name of the robot's root link in the cell. */
+  baseNotListed: (source: string, parent: string, root: string) =>
+    `ROS publishes the pose of the robot's base ${source} in ${parent}, but frames does not list it, so headsets draw the robot at the origin of the `
+    + `cell; add { frame: ${root}, source: ${source} } to frames`,
   noTransforms: 'the message has no list of transforms',
   noParent: (source: string) => `the pose from ${source} has no parent; let its publisher set header.frame_id`,
   notFinite: (field: string, source: string, value: unknown) =>

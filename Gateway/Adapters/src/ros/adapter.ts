@@ -107,22 +107,27 @@ export async function run(context: AdapterContext<RosSettings>): Promise<void> {
   const names = new JointNames(configuration.joints, namespace, settings.maxDeceleration);
   const states = new JointStates(names, oldest, clock, gateway, status, output.joints.silence);
   robot.subscribe(settings.jointStates, message => states.pass(message), JOINT_STATE);
-  const isDescribed = configuration.robot !== null || namespace in configuration.robots;
+  const configured = namespace in configuration.robots ? configuration.robots[namespace] : configuration.robot;
   const description =
-    isDescribed || settings.robotDescription === null ? null : new RobotDescription(settings.robotDescription, namespace, gateway, status);
-  if (description !== null) robot.subscribe(description.topic, message => description.pass(message?.data), STRING);
+    configured !== null || settings.robotDescription === null ? null : new RobotDescription(settings.robotDescription, namespace, gateway, status);
   if (settings.jointTrajectory !== null) robot.subscribe(settings.jointTrajectory, passTrajectory, TRAJECTORY);
 
   const frames = new RosFrames(settings, oldest, clock, gateway, status, output.frames.states);
-  if (settings.frames.some(({ topic }) => topic === null)) {
-    robot.subscribe(settings.tf, message => frames.pass(message), TRANSFORMS);
-    robot.subscribe(settings.tfStatic, message => frames.passStationary(message), TRANSFORMS);
-  }
+  if (configured !== null) frames.describe(configured);
+  if (description !== null) robot.subscribe(description.topic, message => describe(description, message?.data), STRING);
+  if (settings.frames.some(({ topic }) => topic === null)) robot.subscribe(settings.tf, message => frames.pass(message), TRANSFORMS);
+  // An object with its own topic also needs the place of the robot, if ROS publishes one.
+  if (settings.frames.length > 0) robot.subscribe(settings.tfStatic, message => frames.passStationary(message), TRANSFORMS);
   settings.frames.forEach(({ topic, type }, index) => {
     if (topic !== null) robot.subscribe(topic, message => frames.passPose(index, message), type);
   });
   output.signals.silence.unconfirmedMs = null;
   for (const topic of values.topics) robot.subscribe(topic, message => topics.pass(topic, message), settings.types.get(topic));
+
+  function describe(of: RobotDescription, text: unknown): void {
+    of.pass(text);
+    if (typeof text === 'string') frames.describe(text);
+  }
 
   function passTrajectory(message: Record<string, unknown>): void {
     const passed = passedTrajectory(message, names);

@@ -8,6 +8,7 @@ import type { AdapterStatus } from '../gateway/status';
 import { type Refusal, StampRule } from '../samples/stampRule';
 import { type Nanoseconds, ofRosTime } from '../times';
 import { bare, type RosSettings } from './kind';
+import { RobotBase } from './robotBase';
 import { rosMessages } from '../messages/ros';
 import { refusalMessages } from '../messages/values';
 
@@ -30,6 +31,7 @@ type Names = Pick<RosSettings, 'frames' | 'world' | 'namespace' | 'linkPrefix'>;
 /** Forwards the configured frames of a robot with their own stamps. */
 export class RosFrames {
   readonly #rules: StampRule[];
+  readonly #base: RobotBase;
 
   constructor(
     readonly names: Names,
@@ -40,8 +42,15 @@ export class RosFrames {
     readonly states: FrameStates,
   ) {
     this.#rules = names.frames.map(() => new StampRule(oldest));
+    const listed = names.frames.map(({ frame }) => frame);
+    this.#base = new RobotBase(names.namespace, listed, status);
     // ROS does not confirm the poses of a frame whose publisher is silent.
     states.silence.unconfirmedMs = null;
+  }
+
+  /** Sets the description of the robot, whose base may be a frame. */
+  describe(urdf: string): void {
+    this.#base.describe(urdf);
   }
 
   /** Forwards the tracked frames in a message of /tf. */
@@ -93,7 +102,9 @@ export class RosFrames {
     return transforms.flatMap((one: Record<string, unknown> | null) => {
       const source = bare(one?.child_frame_id);
       const index = this.names.frames.findIndex(frame => frame.topic === null && frame.source === source);
-      return index < 0 ? [] : this.#read(index, one!);
+      if (index >= 0) return this.#read(index, one!);
+      if (source !== '' && source !== this.names.world) this.#base.add(this.#linkOf(source), source, bare((one as RosTransform).header?.frame_id));
+      return [];
     });
   }
 
@@ -113,12 +124,18 @@ export class RosFrames {
   }
 
   #parentOf(source: string): string {
-    const { frames, world, namespace, linkPrefix } = this.names;
+    const { frames, world } = this.names;
     if (source === world) return WORLD;
+    return frames.find(frame => frame.source === source)?.frame ?? this.#linkOf(source);
+  }
+
+  /** Gets the name in the cell of a link of the robot. */
+  #linkOf(source: string): string {
+    const { namespace, linkPrefix } = this.names;
     const link = source.startsWith(linkPrefix) ? source.slice(linkPrefix.length) : source;
     // With a frame_prefix, robot_state_publisher has already added the namespace.
     const isComplete = namespace === '' || link.startsWith(`${namespace}/`);
-    return frames.find(frame => frame.source === source)?.frame ?? (isComplete ? link : `${namespace}/${link}`);
+    return isComplete ? link : `${namespace}/${link}`;
   }
 }
 

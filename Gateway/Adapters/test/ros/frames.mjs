@@ -13,15 +13,16 @@ export function rosCell(wholeFrames, names = {}) {
   const one = cell({ wholeFrames, values: [] }), { output, clock, status, gateway } = one;
   const frames = wholeFrames.map(({ frame }) => ({ frame, source: `detected_${frame}`, topic: null }));
   const ros = new RosFrames({ frames, world: 'map', namespace: '', linkPrefix: '', ...names }, 10n * S, clock, gateway, status, output.frames.states);
-  const transform = ([frame, x, parent = 'map']) => ({
+  const transform = ([frame, x, parent = 'map', child = `detected_${frame}`]) => ({
     header: { stamp: { sec: Number(clock.now / S), nanosec: Number(clock.now % S) }, frame_id: parent },
-    child_frame_id: `detected_${frame}`,
+    child_frame_id: child,
     transform: { translation: { x, y: 0, z: 0 }, rotation: { x: 0, y: 0, z: 0, w: 1 } },
   });
-  /** Creates a message with the current poses of frames, each with its frame, x and parent. */
+  /** Creates a message with the current poses of frames, each with its frame, x, parent and name in ROS. */
   const message = (...poses) => ({ transforms: poses.map(transform) });
   return {
     ...one,
+    describe: urdf => ros.describe(urdf),
     pass: (...pose) => ros.pass(message(pose)),
     passAll: poses => ros.pass(message(...poses)),
     passStationary: (...pose) => ros.passStationary(message(pose)),
