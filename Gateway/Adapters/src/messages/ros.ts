@@ -5,8 +5,10 @@ import { wrongValue } from './configuration';
 export const rosMessages = {
   notSecure:
     'the connection to rosbridge is neither encrypted nor authenticated (plain: true): anyone with access to its network can impersonate the robot',
-  clockAvailable: "the robot's clock is available",
-  noClock: (reason: string) => `the robot's clock is not available: ${reason}; start rosapi, or set plant.clock: false`,
+  noClock: (reason: string) => `the robot's clock is not available, so headsets may use another clock than the time stamps: ${reason}`,
+  /** @param reason The reason why a call of rosapi failed. */
+  callFailed: (reason: string) =>
+    /does not exist|did not respond/.test(reason) ? `${reason}; start rosapi, or set plant.clock: false` : reason,
   noTime: (service: string) => `${service} returns no time; if the robot uses use_sim_time, start the simulation`,
   noDescription: (topic: string) =>
     `no robot description has arrived on ${topic}; set robot to a URDF file, or start its publisher (in ROS 1 the description is a parameter); if `

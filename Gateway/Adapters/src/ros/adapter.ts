@@ -2,12 +2,12 @@ import type { AdapterContext } from '../adapter';
 import { pause } from '../backoff';
 import { GatewayLink } from '../gateway/link';
 import { TopicValues } from '../samples/topicValues';
-import { isTimeOfRos1, ofRosTime } from '../times';
 import { RosFrames } from './frames';
 import { JointNames } from './jointNames';
 import { JointStates } from './jointStates';
 import { renewing } from './renewals';
 import { RobotDescription } from './robotDescription';
+import { RobotTime } from './robotTime';
 import { SetPoints } from './setPoints';
 import type { RosSettings } from './kind';
 import { TopicMessages } from './topicMessages';
@@ -16,8 +16,6 @@ import { malformedMessages } from '../messages/broker';
 import { rosMessages } from '../messages/ros';
 
 const CLOCK_RETRY_MS = 1000;
-
-const GET_TIME = '/rosapi/get_time';
 
 /** Message types with their ROS 1 names. The rosbridge of ROS 2 also accepts these names. */
 const JOINT_STATE = 'sensor_msgs/JointState';
@@ -39,8 +37,6 @@ export async function run(context: AdapterContext<RosSettings>): Promise<void> {
   let connection = new AbortController();
   /** Whether the gateway's clock stamps the messages without a header, because the robot's clock is not available yet. */
   let isWithout = false;
-  /** Whether the robot's time has the format of ROS 1. */
-  let isRos1 = false;
   const doWithout = (): void => {
     if (!isWithout) void clock.doWithout(stopping).then(() => topics.check());
     isWithout = true;
@@ -52,10 +48,15 @@ export async function run(context: AdapterContext<RosSettings>): Promise<void> {
     opened: () => {
       status.enter('connected');
       connection = new AbortController();
-      isRos1 = false;
       const ended = AbortSignal.any([stopping, connection.signal]);
-      if (settings.hasClock) void attach(ended);
-      void renewing(ended, renew);
+      const time = new RobotTime(robot);
+      if (settings.hasClock) void attach(time, ended);
+      void renewing(ended, connectedMs => {
+        // The rosbridge of ROS 2 selects the durability of a subscription from the publishers that exist when it is created. A latched message of a
+        // publisher that starts later would never arrive. Before version 2.2.0, the same applied to all messages of a best-effort publisher.
+        if (!time.isRos1) robot.renewSilentSubscriptions();
+        description?.check(connectedMs);
+      });
     },
     away: reason => {
       connection.abort();
@@ -69,38 +70,23 @@ export async function run(context: AdapterContext<RosSettings>): Promise<void> {
   });
 
   // Tries repeatedly, because rosapi may start later than rosbridge.
-  async function attach(ended: AbortSignal): Promise<void> {
+  async function attach(time: RobotTime, ended: AbortSignal): Promise<void> {
     while (!ended.aborted) {
       try {
-        if (await clock.attach(readTime, ended)) {
+        if (await clock.attach(() => time.read(), ended)) {
           if (isWithout) topics.clockStepped();
           isWithout = false;
           setPoints.check();
           topics.check();
-          return log.resume('clock', rosMessages.clockAvailable);
+          return status.notice(null, 'clock');
         }
       } catch (error) {
         if (ended.aborted) return;
         doWithout();
-        log.change('clock', rosMessages.noClock((error as Error).message));
+        status.notice(rosMessages.noClock((error as Error).message), 'clock');
         await pause(CLOCK_RETRY_MS, ended);
       }
     }
-  }
-
-  // The rosbridge of ROS 2 selects the durability and the reliability of a subscription from the publishers that exist when it is created. A latched
-  // message of a publisher that starts later, and all messages of a best-effort publisher that starts later, would never arrive.
-  function renew(connectedMs: number): void {
-    if (!isRos1) robot.renewSilentSubscriptions();
-    description?.check(connectedMs);
-  }
-
-  async function readTime() {
-    const { time } = await robot.call(GET_TIME);
-    isRos1 = isTimeOfRos1(time);
-    const now = ofRosTime(time);
-    if (now === null || now <= 0n) throw new Error(rosMessages.noTime(GET_TIME));
-    return { received: now, sent: now };
   }
 
   const { namespace } = settings;

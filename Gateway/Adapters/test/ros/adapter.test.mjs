@@ -50,12 +50,22 @@ describe('ros', { concurrency: 4 }, () => {
   it('Clock_WithoutRosapi_IsUnavailableButJointStatesAreForwarded', async t => {
     const { robot, bridge, adapter } = await cell(t, { now: null });
 
-    await adapter.said(rosMessages.noClock('/rosapi/get_time: Service /rosapi/get_time does not exist'));
-    assert.deepEqual(bridge.heard.filter(m => m.op === 'advertise_service'), []);
+    await until(() => bridge.state?.notice === rosMessages.noClock(rosMessages.callFailed('rosapi/get_time: Service /rosapi/get_time does not exist')), () => adapter.err);
+    assert.deepEqual([bridge.status.level, bridge.heard.filter(m => m.op === 'advertise_service')], [1, []]);
     robot.jointState(1_700_000_000_000_000_000n, ['a'], [1]);
     await states(bridge);
     robot.now = () => BigInt(Date.now()) * 1_000_000n;
     await until(async () => (await bridge.call('/nowpose/plant_time/arm')).result, 'the clock once rosapi runs');
+    await until(() => bridge.state.notice === undefined, () => JSON.stringify(bridge.state));
+  });
+
+  it('Clock_RosbridgeInANamespace_IsReadFromItsOwnRosapi', async t => {
+    const { robot, bridge } = await cell(t, { namespace: 'robot1', aheadMs: -5000 });
+
+    const before = robot.now(), { values } = await bridge.call('/nowpose/plant_time/arm'), after = robot.now();
+
+    const time = nanoseconds(values.received);
+    assert.ok(time >= before && time <= after);
   });
 
   it('Clock_RosapiEndsDuringCallsOfTwoConnections_IsReadAgainOnTheNextOne', async t => {
