@@ -7,8 +7,11 @@ export const rosMessages = {
     'the connection to rosbridge is neither encrypted nor authenticated (plain: true): anyone with access to its network can impersonate the robot',
   noClock: (reason: string) => `the robot's clock is not available, so headsets may use another clock than the time stamps: ${reason}`,
   /** @param reason The reason why a call of rosapi failed. */
-  callFailed: (reason: string) =>
-    /does not exist|did not respond/.test(reason) ? `${reason}; start rosapi, or set plant.clock: false` : reason,
+  callFailed: (reason: string) => {
+    // A fault of rosbridge_suite before May 2026 (PR 1255): a call can destroy an object that is still used, and all later calls fail.
+    if (reason.includes("'capsule'")) return `${reason}; restart rosbridge, and update rosbridge_suite`;
+    return /does not exist|did not respond/.test(reason) ? `${reason}; start rosapi, or set plant.clock: false` : reason;
+  },
   noTime: (service: string) => `${service} returns no time; if the robot uses use_sim_time, start the simulation`,
   noDescription: (topic: string) =>
     `no robot description has arrived on ${topic}; set robot to a URDF file, or start its publisher (in ROS 1 the description is a parameter); if `

@@ -68,6 +68,19 @@ describe('ros', { concurrency: 4 }, () => {
     assert.ok(time >= before && time <= after);
   });
 
+  it('Clock_RosbridgeLosesItsCapsule_NamesTheRestartAsTheRemedy', async t => {
+    const { robot, bridge } = await cell(t);
+
+    robot.isCapsuleLost = true;
+    const failure = await until(async () => {
+      const { result, values } = await bridge.call('/nowpose/plant_time/arm');
+      return !result && values;
+    }, 'the failure');
+
+    assert.match(failure, /restart rosbridge/);
+    assert.doesNotMatch(failure, /rosapi, or/);
+  });
+
   it('Clock_RosapiEndsDuringCallsOfTwoConnections_IsReadAgainOnTheNextOne', async t => {
     const { robot, bridge, adapter } = await cell(t, { ros: 2 });
     const asked = setInterval(() => void bridge.call('/nowpose/plant_time/arm').catch(() => {}), 200);
