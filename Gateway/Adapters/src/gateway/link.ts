@@ -30,7 +30,7 @@ export interface LinkEvents {
   published?(topic: string, msg: object): void;
   /** Called after a disconnection, and after each failed connection attempt. */
   away?(reason: string): void;
-  /** Called when a listener has thrown an exception for a message on this topic. */
+  /** Called when a message is not JSON, or a listener has thrown an exception for a message on this topic. */
   malformed?(topic: string, problem: string): void;
   /**
    * Called with the reason when the gateway has dropped a message of this link.
@@ -58,6 +58,7 @@ export class GatewayLink {
   );
   readonly #statuses: StatusMessages;
   readonly #watchers: LinkEvents[];
+  readonly #malformed = (topic: string, problem: string): void => this.#watchers.forEach(each => each.malformed?.(topic, problem));
   #socket: WebSocket | null = null;
   /** Ends the connection with a reason. */
   #abandon: (reason: string) => void = () => {};
@@ -228,6 +229,7 @@ export class GatewayLink {
 
   #hear(data: RawData): void {
     const message = parsed(data.toString());
+    if (message === null) this.#malformed('message', gatewayMessages.notJson);
     switch (message?.op) {
       case 'publish':
         this.#pass(message);
@@ -249,7 +251,7 @@ export class GatewayLink {
     try {
       this.#subscriptions.pass(message);
     } catch (error) {
-      for (const { malformed } of this.#watchers) malformed?.(text(message.topic), (error as Error).message);
+      this.#malformed(text(message.topic), (error as Error).message);
     }
   }
 

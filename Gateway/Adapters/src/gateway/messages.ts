@@ -73,14 +73,29 @@ export const diagnostics = (name: string, level: 0 | 1 | 2, message: string, val
   status: [{ level, name, message, hardware_id: name, values: Object.entries(values).map(([key, value]) => ({ key, value })) }],
 });
 
-/** Parses a JSON object; null if the string is not a JSON object or array. */
+/** Matches strings, and the tokens that Python writes for numbers that are not finite. */
+const STRING_OR_TOKEN = /"(?:[^"\\]|\\.)*"|-?\b(?:NaN|Infinity)\b/g;
+
+/**
+ * Parses a JSON object; null if the string is not a JSON object or array. A number that is not finite becomes null: rosbridge writes null for most of
+ * these numbers, but NaN, Infinity or -Infinity in an array of fixed length, such as a covariance.
+ */
 export function parsed(text: string): Record<string, unknown> | null {
   try {
-    const message = JSON.parse(text) as unknown;
-    return typeof message === 'object' ? (message as Record<string, unknown> | null) : null;
+    return objectIn(text);
+  } catch {
+    // Most messages have no such token, so they are parsed only once.
+  }
+  try {
+    return objectIn(text.replace(STRING_OR_TOKEN, found => (found.startsWith('"') ? found : 'null')));
   } catch {
     return null;
   }
+}
+
+function objectIn(text: string): Record<string, unknown> | null {
+  const value = JSON.parse(text) as unknown;
+  return typeof value === 'object' ? (value as Record<string, unknown> | null) : null;
 }
 
 /** Converts any JSON value to a string. String() fails for some objects. */

@@ -268,6 +268,29 @@ signals: [{ signal: closed, topic: /closed, type: std_msgs/msg/Bool }]
       assert.deepEqual([stationary.child_frame_id, stationary.transform.translation], ['stand', { x: 1, y: 0, z: 0.5 }]);
     });
 
+  it('Frame_CovarianceNotANumber_IsForwarded', async t => {
+    const { robot, bridge, adapter } = await cell(t, {}, { rest: 'frames: [{ frame: part, topic: /part, type: geometry_msgs/PoseWithCovarianceStamped }]\n' });
+    await until(() => robot.isHeardBy('/part'), () => adapter.err);
+    const pose = { position: { x: 1, y: 2, z: 3 }, orientation: { x: 0, y: 0, z: 0, w: 1 } };
+
+    robot.publish('/part', {
+      header: { stamp: robot.time(robot.now()), frame_id: 'say NaN, "-Infinity"' }, pose: { pose, covariance: Float64Array.of(NaN, Infinity, -Infinity, 0) },
+    });
+
+    await until(() => bridge.published('/tf').length > 0, () => JSON.stringify(bridge.state));
+    const [{ transforms: [{ header, transform }] }] = bridge.published('/tf');
+    assert.deepEqual([header.frame_id, transform.translation], ['say NaN, "-Infinity"', pose.position]);
+  });
+
+  it('Adapter_MessageNotJson_IsCountedAndLogged', async t => {
+    const { robot, bridge, adapter } = await cell(t);
+
+    robot.sendText('{"op":"publish","topic":"/joint_states","msg":{');
+
+    await until(() => bridge.state?.['refused/malformed'] === '1', () => JSON.stringify(bridge.state));
+    await adapter.said(gatewayMessages.notJson);
+  });
+
   for (const [name, text, expected] of [
     ['FrameWithoutTopic', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\nframes:\n  - frame: a\n    position: { unit: m, x: { field: data.0 }, y: 0, z: 0 }\n', `line 5: frames[0].topic: ${rosMessages.noTopic}`],
     ['FrameWithSource', 'plant:\n  kind: ros\n  endpoint: ws://127.0.0.1:9090\nframes:\n  - frame: a\n    source: b\n    position: { unit: m, x: 0, y: 0, z: 0 }\n', `line 6: frames[0].source: ${rosMessages.sourceAndPosition}`],

@@ -114,6 +114,11 @@ export class Robot {
     for (const { socket, topics } of this.#sockets) if (isReceived(topics.get(topic))) socket.send(json({ op: 'publish', topic, msg }));
   }
 
+  /** Sends a text to all clients, which need not be a valid message. */
+  sendText(text) {
+    for (const { socket } of this.#sockets) socket.send(text);
+  }
+
   jointState(stamp, name, position, velocity = [], options = {}) {
     const header = { ...(this.ros === 1 ? { seq: 1 } : {}), stamp: this.time(stamp), frame_id: '' };
     this.publish('/joint_states', { header, name, position, velocity, effort: name.map(() => null) }, options);
