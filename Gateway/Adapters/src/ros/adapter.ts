@@ -11,7 +11,7 @@ import { RobotTime } from './robotTime';
 import { SetPoints } from './setPoints';
 import type { RosSettings } from './kind';
 import { TopicMessages } from './topicMessages';
-import { passedTrajectory } from './trajectory';
+import { beginningAt, beginsAtOnce, passedTrajectory } from './trajectory';
 import { malformedMessages } from '../messages/broker';
 import { rosMessages } from '../messages/ros';
 
@@ -119,7 +119,9 @@ export async function run(context: AdapterContext<RosSettings>): Promise<void> {
     const passed = passedTrajectory(message, names);
     if (passed === null) return status.refuse('malformed', 'trajectory', malformedMessages.forwardedTrajectory);
     status.accept('trajectory');
-    setPoints.add(namespace, passed);
+    if (!beginsAtOnce(passed)) setPoints.add(namespace, passed);
+    else if (clock.now === null) status.count('clock-unknown');
+    else setPoints.add(namespace, beginningAt(clock.now, passed));
   }
 
   status.detail('endpoint', settings.endpoint);

@@ -1,3 +1,4 @@
+import { type Nanoseconds, ofRosTime, toRosTime } from '../times';
 import type { JointNames } from './jointNames';
 
 interface Point {
@@ -13,13 +14,19 @@ interface Trajectory {
   points?: unknown[];
 }
 
+interface PassedTrajectory {
+  header: { stamp?: unknown };
+  joint_names: string[];
+  points: object[];
+}
+
 const isPoint = (value: unknown): value is Point => typeof value === 'object' && value !== null;
 
 /**
  * Gets the set-points of the forwarded joints; null if none of the joints is forwarded, the message is malformed, or a position is not a number. A
  * velocity or acceleration that is not a number becomes null, which means that it is unknown.
  */
-export function passedTrajectory(message: Trajectory | null, names: JointNames): object | null {
+export function passedTrajectory(message: Trajectory | null, names: JointNames): PassedTrajectory | null {
   const { header, joint_names: sources, points } = message ?? {};
   if (!Array.isArray(sources) || !Array.isArray(points) || !points.every(isPoint)) return null;
   if (typeof header !== 'object' || header === null) return null;
@@ -43,3 +50,12 @@ export function passedTrajectory(message: Trajectory | null, names: JointNames):
   const isWhole = passed.every(({ positions }) => positions.length === taken.length && !positions.includes(null));
   return taken.length > 0 && isWhole ? { header, joint_names: taken.map(t => t.name), points: passed } : null;
 }
+
+/** Whether a trajectory begins when it arrives, which its stamp 0 means. */
+export const beginsAtOnce = ({ header }: PassedTrajectory): boolean => ofRosTime(header.stamp) === 0n;
+
+/** Replaces the stamp of a trajectory. */
+export const beginningAt = (begin: Nanoseconds, { header, ...rest }: PassedTrajectory): object => ({
+  header: { ...header, stamp: toRosTime(begin) },
+  ...rest,
+});

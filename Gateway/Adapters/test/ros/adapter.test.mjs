@@ -150,6 +150,19 @@ describe('ros', { concurrency: 4 }, () => {
     assert.ok(bridge.heard.indexOf(sent()[0]) > offered, JSON.stringify(bridge.heard.map(({ op, topic }) => [op, topic])));
   });
 
+  it('SetPoints_StampZero_HaveTheTimeOfTheirArrivalOnTheRobotsClock', async t => {
+    const { robot, bridge, adapter } = await cell(t, { aheadMs: 3_600_000 }, { plant: '  topics: { joint_trajectory: /plan }\n' });
+    await until(() => robot.isHeardBy('/plan'), () => adapter.err);
+    const started = robot.now();
+
+    // A stamp of 0 means that the motion begins at once.
+    robot.publish('/plan', { header: { stamp: robot.time(0n), frame_id: 'base' }, joint_names: ['a'], points: [{ positions: [1], time_from_start: { sec: 1, nanosec: 0 } }] });
+
+    const [{ header }] = await until(() => bridge.published('/joint_trajectory').length > 0 && bridge.published('/joint_trajectory'), () => JSON.stringify(bridge.state));
+    assert.ok(Math.abs(Number(nanoseconds(header.stamp) - started)) < 60e9, JSON.stringify(header));
+    assert.equal(header.frame_id, 'base');
+  });
+
   it('SetPoints_RobotDisconnectedSince_AreNotSentAgainAfterAReconnection', async t => {
     const { robot, bridge, adapter } = await cell(t, {}, { plant: '  topics: { joint_trajectory: /plan }\n' });
     plan(robot, [{ positions: [1], time_from_start: { sec: 1, nanosec: 0 } }]);
