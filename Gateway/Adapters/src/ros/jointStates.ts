@@ -84,9 +84,9 @@ export class JointStates {
   #isUsable(out: OutJoint, position: unknown, stamp: Nanoseconds | null, now: Nanoseconds | null): boolean {
     const { joint, scale, offset, isLinear, maxDeceleration } = out;
     this.status.joints.expect(joint);
-    // The position may be null, because rosbridge sends NaN as null.
     if (typeof position !== 'number' || !Number.isFinite(position * scale + offset)) {
-      this.status.refuse('not-finite', joint, refusalMessages.notPosition(shown(position)));
+      // rosbridge sends NaN as null. joint_state_broadcaster publishes NaN for a joint without a position.
+      this.status.refuse('not-finite', joint, position === null ? refusalMessages.noPosition : refusalMessages.notPosition(shown(position)));
       return false;
     }
     let state = this.#joints.get(joint);
