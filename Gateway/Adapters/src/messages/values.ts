@@ -6,8 +6,10 @@ export const refusalMessages = {
     'the value has no time stamp; let the source send the time of the value (header.stamp in ROS), or select another timestamp of OPC UA in the configuration',
   zeroStamp: 'the time stamp is 0; let the source set it to the time of the value (header.stamp in ROS)',
   before1970: 'the time stamp is before 1970; set the clock of the control system',
-  sameStamp: 'the time stamp is the same as that of the previous value; check that the clock of the control system runs',
-  notNewer: (apartMs: number) => `the time stamp is not newer than that of the previous value (${apartMs.toFixed(1)} ms older)`,
+  sameStamp:
+    "the time stamp is the same as that of the previous value; check that the control system's clock runs, and that the value has only one source",
+  notNewer: (apartMs: number) =>
+    `the time stamp is ${apartMs.toFixed(1)} ms older than that of the previous value; check that the value has only one source`,
   ahead: (apartMs: number, maxMs: number) =>
     `the time stamp is ${apartMs.toFixed(1)} ms ahead of the control clock; the maximum is ${maxMs.toFixed(1)} ms`,
   behind: (apartMs: number, maxMs: number) =>

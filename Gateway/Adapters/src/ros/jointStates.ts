@@ -6,7 +6,7 @@ import type { AdapterStatus } from '../gateway/status';
 import { decelerationFloor, EndOfData } from '../samples/endOfData';
 import type { SampleSilence } from '../samples/sampleSilence';
 import { StampRule } from '../samples/stampRule';
-import { type Nanoseconds, ofRosTime } from '../times';
+import { type Nanoseconds, NS_PER_S, ofRosTime } from '../times';
 import { type JointNames, MAX_JOINTS, type OutJoint } from './jointNames';
 import { malformedMessages } from '../messages/broker';
 import { refusalMessages, silenceMessages } from '../messages/values';
@@ -20,8 +20,13 @@ interface RosJointState {
   acceleration?: unknown[];
 }
 
+/** Age up to which a second copy of the newest sample is normal. An older copy means that the clock of the stamps has stopped. */
+const COPY: Nanoseconds = NS_PER_S;
+
 interface JointState {
   rule: StampRule;
+  /** Position of the newest sample as it arrived. */
+  position: number;
   end: EndOfData;
   /** Whether the end of the data was already judged since the last sample. Later motions of other joints are not evidence. */
   isJudged: boolean;
@@ -91,10 +96,17 @@ export class JointStates {
     }
     let state = this.#joints.get(joint);
     if (state === undefined) {
-      state = { rule: new StampRule(this.oldest), end: new EndOfData(decelerationFloor(isLinear), maxDeceleration), isJudged: false };
+      state = { rule: new StampRule(this.oldest), position, end: new EndOfData(decelerationFloor(isLinear), maxDeceleration), isJudged: false };
       this.#joints.set(joint, state);
     }
-    if (this.mayRest !== null && state.rule.isNewest(stamp)) return false;
+    if (state.rule.isNewest(stamp)) {
+      if (this.mayRest !== null) return false;
+      // Several nodes may publish the same sample, for example a broadcaster and a node that merges joint states.
+      if (position === state.position && now !== null && now - stamp! <= COPY) {
+        this.status.count('stamp-repeated');
+        return false;
+      }
+    }
     const refusal = state.rule.judge(stamp, now, this.mayRest?.(joint) ?? false);
     if (refusal !== null) {
       this.status.refuse(refusal.reason, joint, refusal.text);
@@ -104,6 +116,7 @@ export class JointStates {
     this.silence.heard(joint);
     state.end.add(stamp!, position * scale + offset);
     state.isJudged = false;
+    state.position = position;
     return true;
   }
 

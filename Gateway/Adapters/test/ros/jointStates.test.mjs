@@ -1,4 +1,4 @@
-// Tests in virtual time the states of joints whose joint states have no position.
+// Tests in virtual time the states of joints whose joint states have no position, or arrive repeatedly.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { messages } from '../messages.mjs';
@@ -27,5 +27,35 @@ describe('joint states of ROS', () => {
     pass(null);
 
     assert.equal(reason(), refusalMessages.noPosition);
+  });
+
+  it('Joint_EachMessageArrivesTwice_IsLiveAndForwardedOnce', () => {
+    const { pass, time, stateOf, status, sent } = robot(), states = new Set();
+
+    for (; time.ms < 3000; time.ms += 10) {
+      pass(Math.sin(Math.floor(time.ms / 20) / 50), time.ms % 20);
+      states.add(stateOf('a'));
+    }
+
+    assert.deepEqual([[...states], sent.length, status.refusals('stamp-repeated')], [['live'], 150, 150]);
+  });
+
+  it('Joint_TwoPositionsWithOneStamp_IsRefused', () => {
+    const { pass, stateOf, reason } = robot();
+
+    pass(1);
+    pass(1.5);
+
+    assert.deepEqual([stateOf('a'), reason()], ['refused', refusalMessages.sameStamp]);
+  });
+
+  it('Joint_ClockOfTheStampsStops_IsRefusedAfterASecond', () => {
+    const { pass, time, stateOf, reason } = robot();
+
+    for (; time.ms <= 900; time.ms += 20) pass(1, time.ms);
+    const soon = stateOf('a');
+    for (; time.ms < 1500; time.ms += 20) pass(1, time.ms);
+
+    assert.deepEqual([soon, stateOf('a'), reason()], ['live', 'refused', refusalMessages.sameStamp]);
   });
 });
