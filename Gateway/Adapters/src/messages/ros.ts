@@ -4,7 +4,8 @@ import { wrongValue } from './configuration';
 /** Messages about a robot that is connected over rosbridge. */
 export const rosMessages = {
   notSecure:
-    'the connection to rosbridge is neither encrypted nor authenticated (plain: true): anyone with access to its network can impersonate the robot',
+    'the connection to rosbridge is neither encrypted nor authenticated (plain: true): anyone with access to its network can impersonate the robot, '
+    + 'and can command it, because rosbridge lets each client publish and call services; restrict rosbridge as the manual describes',
   noClock: (reason: string) => `the robot's clock is not available, so headsets may use another clock than the time stamps: ${reason}`,
   /** @param reason The reason why a call of rosapi failed. */
   callFailed: (reason: string) => {
