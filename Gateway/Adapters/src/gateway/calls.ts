@@ -16,7 +16,7 @@ const MAX_BLOCKED_MS = 60_000;
 const MIN_MISSED = 2;
 
 /**
- * Calls services over the connections of a link. Reports a connection that no longer responds: the rosbridge of ROS 2 up to version 2.1.0 waits
+ * Calls services over the connections of a link. Reports a connection that no longer responds: a rosbridge of ROS 2 before version 2.2.0 waits
  * without limit for a service that ends during a call, and then reads no further message of this connection.
  */
 export class Calls {
