@@ -27,11 +27,12 @@ public class RosDirectTests
     SimulatedCell _cell;
     CompensationSession _session;
 
-    void Start(RosFlavour flavour, TimeSpan resolution = default, TimeSpan before = default, TimeSpan after = default, bool hasRosapi = true)
+    void Start(RosFlavour flavour, TimeSpan resolution = default, TimeSpan before = default, TimeSpan after = default, bool hasRosapi = true,
+        string rosNamespace = "")
     {
         _control = new StopwatchControlClock(ControlTime.FromSeconds(1_700_000_000), 20e-6)
         { Resolution = resolution == default ? new TimeSpan(1) : resolution };
-        _graph = new RosGraph(flavour, _control) { HasRosapi = hasRosapi };
+        _graph = new RosGraph(flavour, _control) { HasRosapi = hasRosapi, Namespace = rosNamespace };
         _rosbridge = new RosbridgeDouble(_graph) { BeforeReading = before, AfterReading = after };
         _session = NewSession(_rosbridge.Port);
         _session.Connect();
@@ -183,6 +184,17 @@ public class RosDirectTests
         await SynchronisedAsync();
         Assert.That(_session.SyncLink.State, Is.EqualTo(LinkState.Connected));
         Assert.That(_rosbridge.Connections, Is.EqualTo(1), "the joint positions' connection stays");
+    }
+
+    [Test]
+    public async Task Session_RosbridgeInANamespace_SynchronisesWithItsOwnRosapi()
+    {
+        Start(RosFlavour.Ros2, rosNamespace: "/robot1");
+
+        await SynchronisedAsync();
+
+        var error = ClockError(out var model);
+        Assert.That(error.Duration(), Is.LessThanOrEqualTo(model.ErrorBound));
     }
 
     [Test]

@@ -18,6 +18,9 @@ sealed class RosGraph(RosFlavour flavour, IControlClock clock)
     /// <summary>Whether the node rosapi also runs.</summary>
     public bool HasRosapi { get; set; } = true;
 
+    /// <summary>Namespace of the nodes rosbridge and rosapi, such as /robot1; empty if they have none.</summary>
+    public string Namespace { get; init; } = "";
+
     /// <summary>
     /// Errors in the log of rosbridge that requests of clients caused. Rosbridge reports an error to the client only if a service call fails.
     /// </summary>

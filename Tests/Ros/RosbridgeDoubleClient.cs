@@ -128,9 +128,9 @@ sealed class RosbridgeDoubleClient(RosbridgeDouble server, WebSocket socket, Can
     async Task AnswerAsync(string service, string id)
     {
         server.CallBegun();
-        var name = service.StartsWith('/') ? service : "/" + service;
+        var name = service.StartsWith('/') ? service : $"{Graph.Namespace}/{service}";
         await PassAsync(server.BeforeReading);
-        var isKnown = name == GetTime && Graph.HasRosapi;
+        var isKnown = name == Graph.Namespace + GetTime && Graph.HasRosapi;
         JsonNode values = isKnown ? new JsonObject { ["time"] = Graph.Time() } : $"Service {name} does not exist";
         if (!isKnown) Graph.Error($"call_service InvalidServiceException: {values}");
         await PassAsync(server.AfterReading);

@@ -1,9 +1,10 @@
+using System;
 using Nowpose.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Network
 {
-    /// <summary>A rosbridge server's response to a call of /rosapi/get_time.</summary>
+    /// <summary>A rosbridge server's response to a call of the service get_time of rosapi.</summary>
     sealed class RosTimeAnswer
     {
         const int MaxReasonLength = 200;
@@ -13,6 +14,7 @@ namespace Nowpose.Network
             Time = fault == DropReason.None ? response.Time : null;
             Arrival = arrival;
             Problem = Time == null ? ProblemOf(response, fault) : null;
+            IsServiceMissing = Time == null && response.Text != null && response.Text.Contains("does not exist", StringComparison.Ordinal);
         }
 
         /// <summary>The server's time; null if the response contains none.</summary>
@@ -23,6 +25,9 @@ namespace Nowpose.Network
 
         /// <summary>Reason why the time is unknown, and the remedy; null if it is known.</summary>
         public string Problem { get; }
+
+        /// <summary>Whether the server has no service of this name.</summary>
+        public bool IsServiceMissing { get; }
 
         static string ProblemOf(RosbridgeMessage response, DropReason fault)
         {

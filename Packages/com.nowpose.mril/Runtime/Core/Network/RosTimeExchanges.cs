@@ -35,6 +35,7 @@ namespace Nowpose.Network
         RosClockResolution _resolution = new RosClockResolution();
         TaskCompletionSource<RosTimeAnswer> _awaited;
         string _id;
+        string _service;
         long _number;
         ExchangeIntake _intake;
         volatile LinkStatus _status = LinkStatus.Connecting;
@@ -55,6 +56,7 @@ namespace Nowpose.Network
             // The connection may lead to another server, or the server may have started or stopped a simulation.
             _status = LinkStatus.Connecting;
             _resolution = new RosClockResolution();
+            _service = RosTopics.GetTime;
             _intake = new ExchangeIntake(_synchroniser, _faults, (drops, fault) => ConnectionMessages.UnusableAnswers(Service, drops, fault));
             while (true)
             {
@@ -83,7 +85,13 @@ namespace Nowpose.Network
         /// <returns>Interval from the start of this exchange to the start of the next.</returns>
         async Task<TimeSpan> ExchangeAsync(LinkSender sender, CancellationToken cancel)
         {
-            var (sent, answer) = await CallAsync(sender, cancel).ConfigureAwait(false);
+            var (sent, answer) = await CallAsync(_service, sender, cancel).ConfigureAwait(false);
+            if (answer.IsServiceMissing)
+            {
+                var other = _service == RosTopics.GetTime ? RosTopics.GetTimeOfNamespace : RosTopics.GetTime;
+                (sent, answer) = await CallAsync(other, sender, cancel).ConfigureAwait(false);
+                if (answer.Time != null) _service = other;
+            }
             if (answer.Time is not { } time)
             {
                 _status = LinkStatus.Waiting(Service + ": " + answer.Problem);
@@ -106,7 +114,7 @@ namespace Nowpose.Network
             }
         }
 
-        async Task<(HeadsetTime Sent, RosTimeAnswer Answer)> CallAsync(LinkSender sender, CancellationToken cancel)
+        async Task<(HeadsetTime Sent, RosTimeAnswer Answer)> CallAsync(string service, LinkSender sender, CancellationToken cancel)
         {
             using (var inTime = CancellationTokenSource.CreateLinkedTokenSource(cancel))
             {
@@ -114,7 +122,7 @@ namespace Nowpose.Network
                 try
                 {
                     var awaited = NewCall(out var id);
-                    var sent = await sender.SendAsync(RosbridgeWriter.CallService(RosTopics.GetTime, id), inTime.Token).ConfigureAwait(false);
+                    var sent = await sender.SendAsync(RosbridgeWriter.CallService(service, id), inTime.Token).ConfigureAwait(false);
                     return (sent, await awaited.OrCancelled(inTime.Token).ConfigureAwait(false));
                 }
                 catch (OperationCanceledException late) when (!cancel.IsCancellationRequested)

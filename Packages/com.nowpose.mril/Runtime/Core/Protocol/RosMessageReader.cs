@@ -52,7 +52,7 @@ namespace Nowpose.Protocol
         static bool ReadResponse(ref JsonUtf8Reader json, RosbridgeMessage into)
         {
             if (!into.Result) return ReadFailure(ref json, into);
-            if (into.Service == RosTopics.GetTime) return ReadTime(ref json, into);
+            if (into.Service == RosTopics.GetTime || into.Service == RosTopics.GetTimeOfNamespace) return ReadTime(ref json, into);
             if (into.Service == RosTopics.GetTopics) return ReadTopics(ref json, into);
             return into.Service.StartsWith(RosTopics.PlantTime, StringComparison.Ordinal) ? PlantTimeReader.Read(ref json, into) : json.Skip();
         }

@@ -35,6 +35,13 @@ namespace Nowpose.Protocol
         public const string Signals = "/signals";
 
         public const string GetTime = "/rosapi/get_time";
+
+        /// <summary>
+        /// Name of <see cref="GetTime"/> to which a rosbridge adds its own namespace. From rosbridge_suite 2.2.0, a rosapi in a namespace has its
+        /// services there.
+        /// </summary>
+        public const string GetTimeOfNamespace = "rosapi/get_time";
+
         public const string GetTopics = "/rosapi/topics";
 
         /// <summary>Prefix of the adapters' services that return the time of a control system; the name of the clock follows.</summary>
