@@ -16,7 +16,19 @@ public class RosTimeAnswerTests
         var answer = new RosTimeAnswer(response, fault, HeadsetTime.FromSeconds(1));
 
         Assert.That(answer.Time, Is.Null);
-        Assert.That(answer.Problem, Does.StartWith("Service /rosapi/get_time  does not exist").And.EndWith(ConnectionMessages.StartRosapi("")));
+        Assert.That(answer.Problem, Does.StartWith("Service /rosapi/get_time  does not exist").And.EndWith(ConnectionMessages.RosCallFailed("")));
         Assert.That(answer.Problem, Has.Length.LessThan(400));
+    }
+
+    [Test]
+    public void Problem_RosbridgeHasLostItsCapsule_SuggestsARestart()
+    {
+        const string Said = "Object of type 'NoneType' is not an instance of 'capsule'";
+        RosbridgeReader.TryRead(
+            $$"""{"op":"service_response","service":"/rosapi/get_time","values":"{{Said}}","result":false}""", out var response, out var fault);
+
+        var answer = new RosTimeAnswer(response, fault, HeadsetTime.FromSeconds(1));
+
+        Assert.That(answer.Problem, Does.StartWith(Said).And.Contain("restart rosbridge").And.Not.Contain("rosapi"));
     }
 }

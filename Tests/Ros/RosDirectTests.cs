@@ -178,7 +178,7 @@ public class RosDirectTests
         Start(flavour, hasRosapi: false);
 
         await Soon.BecomesAsync(() => _session.SyncLink.State == LinkState.Waiting && _session.SampleLink.State == LinkState.Connected, "refused");
-        Assert.That(_session.SyncLink.Detail, Does.Contain(ConnectionMessages.StartRosapi("Service /rosapi/get_time does not exist")));
+        Assert.That(_session.SyncLink.Detail, Does.Contain(ConnectionMessages.RosCallFailed("Service /rosapi/get_time does not exist")));
 
         _graph.HasRosapi = true;
         await SynchronisedAsync();

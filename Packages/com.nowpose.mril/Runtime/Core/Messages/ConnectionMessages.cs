@@ -62,8 +62,11 @@ namespace Nowpose.Messages
         public static string RosTimeMissing(DropReason fault) =>
             $"the response contains no time ({fault}); check that rosapi provides the service get_time";
 
-        public static string StartRosapi(string reason) =>
-            $"{reason}; start the node rosapi together with rosbridge, as rosbridge's launch file does";
+        // A fault of rosbridge_suite before May 2026 (pull request 1255): a call can destroy an object that is still used, and all later calls fail.
+        public static string RosCallFailed(string reason) => reason.Contains("'capsule'", StringComparison.Ordinal)
+            ? $"{reason}; restart rosbridge, and update rosbridge_suite"
+            : $"{reason}; start the node rosapi together with rosbridge, as rosbridge's launch file does";
+
         public static string RosClockStopped(string service) => $"{service}: the clock does not advance; continue the simulation if it is paused";
 
         public static string NoAnswer(string service, double seconds) =>

@@ -34,7 +34,7 @@ namespace Nowpose.Network
             if (fault == DropReason.StampZero) return ConnectionMessages.RosTimeZero;
             if (response.Result) return ConnectionMessages.RosTimeMissing(fault);
             var reason = InputException.OneLine(response.Text ?? "the call failed", MaxReasonLength);
-            return ConnectionMessages.StartRosapi(reason);
+            return ConnectionMessages.RosCallFailed(reason);
         }
     }
 }
