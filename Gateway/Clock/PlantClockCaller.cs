@@ -8,6 +8,8 @@ namespace Nowpose.Gateway.Clock;
 /// <remarks>The gateway sends the requests, so that t1 and t4 are times of this machine, even if the adapter runs on another one.</remarks>
 sealed class PlantClockCaller : IDisposable
 {
+    static readonly TimeSpan PauseAfterFailure = TimeSpan.FromSeconds(1);
+
     readonly PlantClock _clock;
     readonly IHeadsetClock _counter;
     readonly Action<string> _call;
@@ -50,19 +52,20 @@ sealed class PlantClockCaller : IDisposable
             while (true)
             {
                 var begun = _counter.Now;
-                await AskOnceAsync();
+                var isAnswered = await AskOnceAsync();
                 var ended = _counter.Now;
-                var pause = begun + _pace.Next(_clock.Synchroniser, ended) - ended;
+                var pause = begun + (isAnswered ? _pace.Next(_clock.Synchroniser, ended) : PauseAfterFailure) - ended;
                 if (pause > TimeSpan.Zero) await Task.Delay(pause, _time, _stop.Token);
             }
         }
         catch (OperationCanceledException)
         {
-            _open = null;
+            // The requests have been stopped.
         }
     }
 
-    async Task AskOnceAsync()
+    /// <returns>False if the adapter could not read the clock, or did not respond in time.</returns>
+    async Task<bool> AskOnceAsync()
     {
         var question = new Question($"plant_time:{++_asked}", _counter.Now);
         _open = question;
@@ -70,28 +73,32 @@ sealed class PlantClockCaller : IDisposable
         try
         {
             var reply = await question.Answered.Task.WaitAsync(ProtocolLimits.SyncReplyTimeout, _time, _stop.Token);
-            Take(question, reply);
+            return IsTaken(question, reply);
         }
         catch (TimeoutException)
         {
             _clock.Failed(PlantClockMessages.NoResponse(ProtocolLimits.SyncReplyTimeout.TotalSeconds));
+            return false;
         }
-
-        _open = null;
+        finally
+        {
+            _open = null;
+        }
     }
 
-    void Take(Question question, Reply reply)
+    bool IsTaken(Question question, Reply reply)
     {
         // Another adapter has taken over: estimates from two clocks must not be mixed.
-        if (!_clock.TryHear(this)) return;
+        if (!_clock.TryHear(this)) return false;
         if (reply.Time is not { } time)
         {
             _clock.Failed(reply.Text ?? PlantClockMessages.NoTime);
-            return;
+            return false;
         }
 
         _clock.Add(new SyncExchange(
             question.Asked, time.Received, time.Sent, reply.Arrival, time.Resolution, time.ErrorBound, time.IsSynchronised));
+        return true;
     }
 
     sealed record Reply(PlantTimeMessage Time, string Text, HeadsetTime Arrival);

@@ -127,19 +127,6 @@ public class PlantTimeTests
     }
 
     [Test]
-    public async Task PlantTime_CallFails_IsCountedWithItsReason()
-    {
-        await using var gateway = await Gateways.StartAsync();
-        using var adapter = await PlantAdapterDouble.ConnectAsync(gateway, "plc", (id, service) =>
-            $$"""{"op":"service_response","id":"{{id}}","service":"{{service}}","result":false,"values":"the PLC is in stop"}""");
-
-        await Soon.BecomesAsync(() => StatusOf(gateway, "plc")?.Failures > 0, "the failure is counted");
-
-        Assert.That(StatusOf(gateway, "plc").LastFailure, Is.EqualTo("the PLC is in stop"));
-        Assert.That(gateway.Clock.IsSynchronised, Is.False);
-    }
-
-    [Test]
     public async Task PlantTime_OfferWithdrawn_IsNotRequestedAgain()
     {
         await using var gateway = await Gateways.StartAsync();
@@ -250,20 +237,6 @@ public class PlantTimeTests
         await client.SendAsync(Gateways.StateText(0.5));
 
         await client.ExpectErrorAsync("Unsynchronised");
-    }
-
-    [Test]
-    public async Task PlantTime_CallFailsWithALongText_IsShortenedToOneLine()
-    {
-        var reason = "stop\\n\\u0007" + new string('x', 5000);
-        await using var gateway = await Gateways.StartAsync();
-        using var adapter = await PlantAdapterDouble.ConnectAsync(gateway, "plc", (id, service) =>
-            $$"""{"op":"service_response","id":"{{id}}","service":"{{service}}","result":false,"values":"{{reason}}"}""");
-
-        await Soon.BecomesAsync(() => StatusOf(gateway, "plc")?.Failures > 0, "the failure is counted");
-
-        var kept = StatusOf(gateway, "plc").LastFailure;
-        Assert.That(kept, Does.StartWith("stop  xxx").And.Length.LessThanOrEqualTo(PlantClock.MaxFailureLength));
     }
 
     [Test]
