@@ -47,6 +47,8 @@ static class RequestMessages
 
     public static string FragmentSize(string size) => $"fragment_size {size} is not supported; remove it. Messages are not fragmented";
 
+    public const string Qos = "qos is not supported; remove it. The gateway uses no quality of service of ROS";
+
     public static string QueueLength(int given, int max) =>
         $"queue_length {given} is more than the maximum of {max}; the queue holds {max} messages. Use {max} or less";
 

@@ -9,7 +9,7 @@ static class Unsupported
 {
     const int MaxLength = 32;
 
-    static readonly JsonNames Options = new("compression", "fragment_size", "latch");
+    static readonly JsonNames Options = new("compression", "fragment_size", "latch", "qos");
 
     /// <summary>Whether a publication may have such an option. Needs less time than <see cref="In"/>, for messages that arrive often.</summary>
     public static bool MayBeIn(ReadOnlySpan<byte> text, RosbridgeMessage publication) =>
@@ -35,6 +35,7 @@ static class Unsupported
     {
         "compression" => value is "none" or "" ? null : RequestMessages.Compression(value),
         "fragment_size" => RequestMessages.FragmentSize(value),
+        "qos" => RequestMessages.Qos,
         _ => request.Op == RosbridgeOp.Advertise && value == "true" && !Publications.IsKept(request.RobotTopic) ? RequestMessages.Latch(request.Topic) : null,
     };
 

@@ -40,6 +40,7 @@ public class RosapiTests
         ["""{"op":"subscribe","topic":"/joint_states","compression":"png"}""", "warning", RequestMessages.Compression("png")],
         ["""{"op":"subscribe","topic":"/joint_states","compression":"cbor-raw"}""", "warning", RequestMessages.Compression("cbor-raw")],
         ["""{"op":"subscribe","topic":"/joint_states","fragment_size":1000}""", "warning", RequestMessages.FragmentSize("1000")],
+        ["""{"op":"subscribe","topic":"/joint_states","qos":{"depth":1}}""", "warning", RequestMessages.Qos],
         ["""{"op":"subscribe","topic":"/joint_states","compression":"png","unread":NaN}""", "warning", RequestMessages.Compression("png")],
         ["""{"op":"subscribe","topic":"/joint_states","compression":["png"]}""", "warning", RequestMessages.Compression("[\"png\"]")],
         [
