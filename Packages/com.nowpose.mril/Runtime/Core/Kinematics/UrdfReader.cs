@@ -1,3 +1,4 @@
+using System;
 using System.Linq;
 using System.Xml.Linq;
 using Nowpose.Messages;
@@ -22,6 +23,10 @@ namespace Nowpose.Kinematics
             var root = source.ParseRoot(text);
             if (root.Name.LocalName != "robot")
                 throw source.Error(root, UrdfMessages.Root);
+            // The namespace of xacro has had several addresses, all with this end.
+            var macro = root.Descendants().FirstOrDefault(element => element.Name.NamespaceName.EndsWith("/xacro", StringComparison.Ordinal));
+            if (macro != null)
+                throw source.Error(macro, UrdfMessages.Xacro);
 
             var materials = new UrdfMaterials(source, root);
             var links = Children(root, "link").Select(e => new UrdfLink(source, e, materials)).ToArray();

@@ -30,6 +30,7 @@ namespace Nowpose.Messages
         public static string UnknownJoint(string joint) => $"unknown joint {joint}; correct the name";
         public static string UnknownLink(string link) => $"unknown link {link}; correct the name";
 
+        public const string Xacro = "this is an element of xacro; expand the file with xacro first";
         public const string Root = "the root element must be <robot>";
 
         public static string AttributeMissing(string attribute) => $"its attribute {attribute} is missing or empty; add it";

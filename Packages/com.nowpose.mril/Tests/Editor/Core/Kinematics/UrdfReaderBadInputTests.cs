@@ -18,6 +18,16 @@ namespace Nowpose.Tests.Core.Kinematics
             new[] { "<robot name='r'/><robot name='s'/>", "r.urdf:1: " + UrdfMessages.NotWellFormed("") },
             new[] { "<sdf version='1'>\n<model/></sdf>", "r.urdf:1: sdf: " + UrdfMessages.Root },
             new[] { "<robot name='r'/>", "r.urdf:1: robot 'r': " + UrdfMessages.NoLinks },
+            new[]
+            {
+                "<robot name='$(arg name)' xmlns:xacro='http://www.ros.org/wiki/xacro'>\n<link name='world'/>\n<xacro:arm prefix=''/></robot>",
+                "r.urdf:3: arm: " + UrdfMessages.Xacro,
+            },
+            new[]
+            {
+                "<robot name='r' xmlns:xacro='http://ros.org/wiki/xacro'><link name='a'>\n<xacro:insert_block name='b'/></link></robot>",
+                "r.urdf:2: link 'a' <insert_block>: " + UrdfMessages.Xacro,
+            },
             new[] { "<!DOCTYPE r [<!ENTITY a 'b'>]>\n<robot/>", "r.urdf:1: " + UrdfMessages.DocumentType },
             new[] { "<?xml version='1.0'?>\n<!DOCTYPE r SYSTEM 'file:///etc/passwd'>\n<robot/>", "r.urdf:2: " + UrdfMessages.DocumentType },
         };
