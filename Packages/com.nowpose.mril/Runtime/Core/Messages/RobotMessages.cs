@@ -10,8 +10,8 @@ namespace Nowpose.Messages
 
         public static string BeyondLimits(string joint, double position, string unit, double lower, double upper, string otherUnit) =>
             FormattableString.Invariant($"joint '{joint}': {position:0.###} {unit} is outside its limits {lower:0.###} to {upper:0.###} ")
-            + FormattableString.Invariant($"{unit}, and is drawn at the limit; check that the robot description belongs to this robot and that ")
-            + FormattableString.Invariant($"the source sends {unit}, not {otherUnit}");
+            + FormattableString.Invariant($"{unit}, and is drawn at the limit; check that the robot description belongs to this robot and ")
+            + FormattableString.Invariant($"contains its limits, and that the source sends {unit}, not {otherUnit}");
 
         public const string DescriptionDiffers =
             "its description differs from that of the gateway, so the pose may be wrong; use the gateway's description on this headset";
