@@ -1,3 +1,4 @@
+using System.Collections.Immutable;
 using Nowpose.Gateway.Messages;
 using Nowpose.Sync;
 
@@ -17,9 +18,10 @@ public sealed class PlantClock
 
     internal const int MaxFailureLength = 200;
 
-    readonly ClockSynchroniser _synchroniser = new(ClockEstimators.Create(ClockEstimators.Default), ClockSettings.Default);
     readonly IHeadsetClock _counter;
     readonly object _gate = new();
+    volatile ClockSynchroniser _synchroniser;
+    ImmutableArray<PlantClock> _others = [];
     PlantClockCaller _caller;
     HeadsetTime _heard;
     long _exchanges, _failures;
@@ -29,10 +31,12 @@ public sealed class PlantClock
     {
         Name = name;
         _counter = counter;
-        _synchroniser.Judged += (in SyncExchange exchange, SyncVerdict verdict, SyncExchangeFault fault) => Judged?.Invoke(exchange, verdict, fault);
+        _synchroniser = NewSynchroniser();
     }
 
     public string Name { get; }
+
+    internal IHeadsetClock Counter => _counter;
 
     /// <summary>Whether an adapter offers the clock at present.</summary>
     public bool IsConnected => Volatile.Read(ref _caller) != null;
@@ -66,11 +70,22 @@ public sealed class PlantClock
         }
     }
 
+    /// <summary>Clients whose clock of this name differs from this clock by more than the error bounds of both.</summary>
+    internal IEnumerable<ClockContradiction> Contradictions =>
+        from other in _others
+        let ahead = other.ContradictionWith(this)
+        where ahead != null
+        select new ClockContradiction(Name, Client, other.Client, ahead.Value);
+
     internal bool IsAskedBy(PlantClockCaller caller) => Volatile.Read(ref _caller) == caller;
 
-    /// <summary>Sets the adapter that offers this clock. The previous adapter receives no more requests.</summary>
+    /// <summary>
+    /// Sets the adapter that offers this clock. The previous adapter receives no more requests. Starts a new estimate if the new adapter has another
+    /// clock, because exchanges with two clocks cannot be combined.
+    /// </summary>
+    /// <param name="measured">The clock of the new adapter as measured so far; null if it is unknown.</param>
     /// <returns>False if <see cref="IsFree"/> is false; the current adapter then remains attached.</returns>
-    internal bool TryAttach(PlantClockCaller caller)
+    internal bool TryAttach(PlantClockCaller caller, PlantClock measured = null)
     {
         PlantClockCaller former;
         lock (_gate)
@@ -79,6 +94,7 @@ public sealed class PlantClock
             former = _caller;
             _caller = caller;
             _heard = _counter.Now;
+            if (measured?.ContradictionWith(this) != null) _synchroniser = NewSynchroniser();
         }
 
         former?.Dispose();
@@ -105,6 +121,11 @@ public sealed class PlantClock
         }
     }
 
+    /// <summary>Adds the clock of a client that offers a clock of this name while another client serves it.</summary>
+    internal void AddOther(PlantClock other) => ImmutableInterlocked.Update(ref _others, all => all.Add(other));
+
+    internal void RemoveOther(PlantClock other) => ImmutableInterlocked.Update(ref _others, all => all.Remove(other));
+
     internal void Add(in SyncExchange exchange)
     {
         _synchroniser.Add(exchange, out var fault);
@@ -118,4 +139,27 @@ public sealed class PlantClock
         _lastFailure = InputException.OneLine(why, MaxFailureLength);
         Interlocked.Increment(ref _failures);
     }
+
+    string Client => Volatile.Read(ref _caller)?.Client?.Title ?? "";
+
+    // Returns the time of this clock minus the time of another clock if their error bounds do not explain it; null otherwise.
+    TimeSpan? ContradictionWith(PlantClock other)
+    {
+        var (mine, theirs, now) = (Model, other.Model, _counter.Now);
+        if (!ClockSettings.Default.Trusts(mine) || !ClockSettings.Default.Trusts(theirs)) return null;
+        var ahead = mine.ToControl(now) - theirs.ToControl(now);
+        return ahead.Duration() > mine.ErrorBound + theirs.ErrorBound ? ahead : null;
+    }
+
+    ClockSynchroniser NewSynchroniser()
+    {
+        var synchroniser = new ClockSynchroniser(ClockEstimators.Create(ClockEstimators.Default), ClockSettings.Default);
+        synchroniser.Judged += (in SyncExchange exchange, SyncVerdict verdict, SyncExchangeFault fault) => Judged?.Invoke(exchange, verdict, fault);
+        return synchroniser;
+    }
 }
+
+/// <summary>Two clients that offer clocks of the same name, whose times differ by more than the error bounds of both.</summary>
+/// <param name="Client">The client that serves the clock.</param>
+/// <param name="Ahead">Time of the other client's clock minus the time of the served clock.</param>
+sealed record ClockContradiction(string Clock, string Client, string Other, TimeSpan Ahead);

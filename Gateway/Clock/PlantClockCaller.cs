@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 using Nowpose.Sync;
@@ -23,6 +24,9 @@ sealed class PlantClockCaller : IDisposable
     /// <param name="call">Sends a request with the given id; must not block.</param>
     public PlantClockCaller(PlantClock clock, IHeadsetClock counter, TimeProvider time, Action<string> call) =>
         (_clock, _counter, _time, _call) = (clock, counter, time, call);
+
+    /// <summary>The client that answers the requests, for messages.</summary>
+    public HubSource Client { get; init; }
 
     /// <summary>Starts the requests.</summary>
     public void Start() => _ = Task.Run(AskAsync);

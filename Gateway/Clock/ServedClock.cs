@@ -38,6 +38,9 @@ public sealed class ServedClock : IControlClock
     /// <summary>Whether C1 is a plant's clock that no adapter has offered since the gateway started.</summary>
     internal bool IsNotOffered => _plant.Control is { IsConnected: false, Exchanges: 0, Failures: 0 };
 
+    /// <summary>The clients that offer a clock under the name of a served one, with another time.</summary>
+    internal IEnumerable<ClockContradiction> Contradictions => _plant.All.SelectMany(clock => clock.Contradictions);
+
     public ControlTime Now => Known is { } model ? model.ToControl(_plant.Counter.Now) : _own.Now;
     public TimeSpan ErrorBound => Known?.ErrorBound ?? _own.ErrorBound;
     public bool IsSynchronised => _plant.Control is { } control ? ClockSettings.Default.Trusts(control.Model) : _own.IsSynchronised;

@@ -13,6 +13,7 @@ static class EventRemedies
     public const string CellVariables = "Check its variables in the plant and its entry in the plant's configuration.";
     public const string ClockAdapter = "Check the adapter that reads this clock.";
     public const string ClockName = "Check the name in --clock, and the adapter that reads this clock.";
+    public const string ClockNames = "Give each clock another name, or stop the client that does not belong to the plant.";
     public const string Adapters = "Check that the adapter of each plant is running and connected.";
     public const string GatewayLog = "Read the adapter's lines in the gateway's log.";
     public const string Adapter = "Check that the adapter is running and can reach the gateway.";

@@ -55,6 +55,17 @@ static class EventTexts
 
     public static string ClockNotSystemClock(string clock) => $"{clock} does not follow the system clock";
 
+    /// <param name="kind">Kind of the events.</param>
+    public static string OtherEvents(string kind) => $"other events of the kind {kind}";
+
+    public const string HasTwoTimes = "has two different times";
+
+    public static string ClockWithTwoTimes(string clock) => $"two clients offer the clock {clock} with different times";
+
+    /// <param name="client">The client that serves the clock.</param>
+    public static string TimesDiffer(string other, string client, double aheadMs) => FormattableString.Invariant(
+        $"the clock of {other} is {Math.Abs(aheadMs):0.0} ms {(aheadMs < 0 ? "behind" : "ahead of")} that of {client}, which is the served one");
+
     public const string Future = "sends time stamps in the future";
 
     public static string FutureBy(string by) => $"they are {by} ahead of the control clock";

@@ -1,25 +1,28 @@
 using System.Text;
 using Nowpose.Gateway.Clock;
+using Nowpose.Gateway.Hub;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 
 /// <summary>The clocks of the control system that one client offers. Not thread-safe.</summary>
-sealed class PlantTimeOffers(PlantClocks clocks, Action<ReadOnlyMemory<byte>> send) : IDisposable
+sealed class PlantTimeOffers(PlantClocks clocks, HubSource client, Action<ReadOnlyMemory<byte>> send) : IDisposable
 {
     readonly Dictionary<string, Offered> _offers = [];
+    // The first clock that the client offered, or a clock without exchanges if there are too many clocks.
+    Func<PlantClock> _stampClock;
 
     /// <summary>
-    /// The clock with which this client stamps its messages: the first clock that it offered, even if another client serves the clock at
-    /// present. Null if the client offers no clock.
+    /// The clock with which this client stamps its messages: the first clock that it offered, as this client tells its time. Null if the client
+    /// offers no clock.
     /// </summary>
-    public PlantClock StampClock { get; private set; }
+    public PlantClock StampClock => _stampClock?.Invoke();
 
     /// <summary>
-    /// Starts to request the time from a service of this client. If another client serves the same clock, the requests start when that client
-    /// disconnects or no longer responds.
+    /// Starts to request the time from a service of this client. If another client serves a clock of this name, the requests only measure the
+    /// clock with which this client stamps its messages, until the other client disconnects or no longer responds.
     /// </summary>
-    /// <returns>The reason why no requests are sent; <see cref="DropReason.None"/> if requests are sent.</returns>
+    /// <returns>The reason why the client does not serve the clock; <see cref="DropReason.None"/> if it does.</returns>
     public DropReason Offer(string service)
     {
         if (!service.StartsWith(RosTopics.PlantTime, StringComparison.Ordinal) || !PlantClocks.IsName(service[RosTopics.PlantTime.Length..]))
@@ -30,28 +33,32 @@ sealed class PlantTimeOffers(PlantClocks clocks, Action<ReadOnlyMemory<byte>> se
             if (clocks.Find(name) is not { } clock)
             {
                 // There are too many clocks. Stores a clock without exchanges, so that the client's stamps are not used as times on C1.
-                StampClock ??= new PlantClock(name, clocks.Counter);
+                var unknown = new PlantClock(name, clocks.Counter);
+                _stampClock ??= () => unknown;
                 return DropReason.OutOfRange;
             }
 
-            _offers.Add(service, offered = new Offered(clock, () => NewCaller(clock, service)));
-            StampClock ??= clock;
+            _offers.Add(service, offered = new Offered(clock, asked => NewCaller(asked, service)));
+            _stampClock ??= () => offered.Clock;
         }
 
-        return offered.TryAsk() ? DropReason.None : DropReason.JointTaken;
+        return offered.TryServe() ? DropReason.None : DropReason.JointTaken;
     }
 
-    /// <summary>Starts the requests to this client for each clock whose previous client has disconnected or no longer responds.</summary>
+    /// <summary>Lets this client serve each clock whose previous client has disconnected or no longer responds.</summary>
     public void TryAgain()
     {
-        foreach (var offered in _offers.Values) offered.TryAsk();
+        foreach (var offered in _offers.Values) offered.TryServe();
     }
 
     public void Withdraw(string service)
     {
         if (!_offers.Remove(service, out var offered)) return;
+        var isStampClock = StampClock == offered.Clock;
         offered.Dispose();
-        if (StampClock == offered.Clock) StampClock = _offers.Values.FirstOrDefault()?.Clock;
+        if (!isStampClock) return;
+        var next = _offers.Values.FirstOrDefault();
+        _stampClock = next == null ? null : () => next.Clock;
     }
 
     /// <summary>Passes on a response from the client.</summary>
@@ -59,7 +66,7 @@ sealed class PlantTimeOffers(PlantClocks clocks, Action<ReadOnlyMemory<byte>> se
     /// <param name="count">Time at which the last byte of the response was read, as a <see cref="System.Diagnostics.Stopwatch"/> timestamp.</param>
     public void Answer(RosbridgeMessage response, long count)
     {
-        if (_offers.TryGetValue(response.Service, out var offered)) offered.Caller?.Answer(response, clocks.Counter.At(count));
+        if (_offers.TryGetValue(response.Service, out var offered)) offered.Answer(response, clocks.Counter.At(count));
     }
 
     public void Dispose()
@@ -69,33 +76,59 @@ sealed class PlantTimeOffers(PlantClocks clocks, Action<ReadOnlyMemory<byte>> se
     }
 
     PlantClockCaller NewCaller(PlantClock clock, string service) => new(
-        clock, clocks.Counter, TimeProvider.System, id => send(Encoding.UTF8.GetBytes(RosbridgeWriter.CallService(service, id))));
+        clock, clocks.Counter, TimeProvider.System, id => send(Encoding.UTF8.GetBytes(RosbridgeWriter.CallService(service, id))))
+    { Client = client };
 
-    sealed class Offered(PlantClock clock, Func<PlantClockCaller> newCaller) : IDisposable
+    // Another client may serve a clock of the same name but with another time. The stamps of this client are then converted with its own times.
+    sealed class Offered(PlantClock served, Func<PlantClock, PlantClockCaller> newCaller) : IDisposable
     {
-        public PlantClock Clock => clock;
+        readonly PlantClock _own = new(served.Name, served.Counter);
+        PlantClockCaller _caller;
 
-        /// <summary>Sends the requests; null before the first request to this client.</summary>
-        public PlantClockCaller Caller { get; private set; }
+        /// <summary>The served clock if this client serves it; otherwise the clock as measured with this client only.</summary>
+        public PlantClock Clock => IsServing ? served : _own;
 
-        /// <summary>Starts the requests if they are not running and no other client serves the clock.</summary>
+        bool IsServing => _caller != null && served.IsAskedBy(_caller);
+
+        /// <summary>Starts the requests if they are not running. They measure the served clock unless another client serves it.</summary>
         /// <returns>False while another client serves the clock.</returns>
-        public bool TryAsk()
+        public bool TryServe()
         {
-            if (Caller != null && clock.IsAskedBy(Caller)) return true;
-            if (!clock.IsFree) return false;
-            var caller = newCaller();
-            if (!clock.TryAttach(caller))
+            if (IsServing) return true;
+            if (served.IsFree)
             {
+                var caller = newCaller(served);
+                if (served.TryAttach(caller, _own))
+                {
+                    served.RemoveOther(_own);
+                    Start(caller);
+                    return true;
+                }
+
                 caller.Dispose();
-                return false;
             }
 
-            Caller = caller;
-            caller.Start();
-            return true;
+            if (_caller != null && _own.IsAskedBy(_caller)) return false;
+            var measuring = newCaller(_own);
+            _own.TryAttach(measuring);
+            served.AddOther(_own);
+            Start(measuring);
+            return false;
         }
 
-        public void Dispose() => Caller?.Dispose();
+        public void Answer(RosbridgeMessage response, HeadsetTime arrival) => _caller?.Answer(response, arrival);
+
+        public void Dispose()
+        {
+            served.RemoveOther(_own);
+            _caller?.Dispose();
+        }
+
+        void Start(PlantClockCaller caller)
+        {
+            _caller?.Dispose();
+            _caller = caller;
+            caller.Start();
+        }
     }
 }

@@ -35,7 +35,8 @@ sealed class Conditions(
         var reports = diagnostics.Read();
         return
         [
-            .. OfClock().Concat(OfStamps()).Concat(OfSources(joints)).Concat(OfAdapters(reports)).Concat(joints.Where(row => !row.IsGood).Select(Of)).Concat(OfUncertainRests(joints))
+            .. OfClock().Concat(OfClockNames()).Concat(OfStamps()).Concat(OfSources(joints)).Concat(OfAdapters(reports))
+                .Concat(joints.Where(row => !row.IsGood).Select(Of)).Concat(OfUncertainRests(joints))
                 .Concat(OfCell("frame", AdapterReport.FramePrefix)).Concat(OfCell("signal", AdapterReport.SignalPrefix))
                 .Concat(OfFrames(joints)).Concat(OfSignals())
                 .Concat(reports.SelectMany(Of)).Concat(refusals.Read()).Concat(limits.Invalid.Select(OfDescription)).Concat(OfLimits(joints)).Concat(OfRecording())
@@ -152,6 +153,15 @@ sealed class Conditions(
                 Remedy = found.Remedy,
             };
     }
+
+    // Does not affect the gateway's readiness, because the stamps of each client are converted with its own times.
+    IEnumerable<Condition> OfClockNames() => clock.Contradictions.Select(
+        one => new Condition(
+            "clock", one.Clock, EventTexts.HasTwoTimes, EventTexts.TimesDiffer(one.Other, one.Client, one.Ahead.TotalMilliseconds), Level.Error)
+        {
+            Headline = EventTexts.ClockWithTwoTimes(one.Clock),
+            Remedy = EventRemedies.ClockNames,
+        });
 
     IEnumerable<Condition> OfStamps() => clock.Stamps.Ahead.Select(
         one => new Condition("source", one.Source, EventTexts.Future, EventTexts.FutureBy(one.By), Level.Warning)

@@ -199,28 +199,6 @@ public class PlantTimeTests
     }
 
     [Test]
-    public async Task JointState_ClockOfferRefused_IsConvertedWithTheClockOfThatName()
-    {
-        var ads = new StopwatchControlClock(PlantStart);
-        var opcua = new StopwatchControlClock(PlantStart + TimeSpan.FromSeconds(-2));
-        await using var gateway = await Gateways.StartAsync();
-        using var first = await ConnectedAsync(gateway, "ads", ads);
-        using var second = await ConnectedAsync(gateway, "opcua", opcua);
-        using var headset = await RawRosbridgeClient.ConnectAsync(gateway);
-        await headset.SubscribeAsync(RosTopics.JointStates);
-        using var rival = await RawRosbridgeClient.ConnectAsync(gateway);
-        await rival.SendAsync("{\"op\":\"advertise_service\",\"service\":\"/nowpose/plant_time/opcua\",\"type\":\"nowpose/PlantTime\"}");
-        await rival.ExpectErrorAsync(DropMessages.Of(DropReason.JointTaken));
-
-        var count = Stopwatch.GetTimestamp();
-        var state = new JointStateMessage(opcua.AtCount(count), ["a"], [0.5]);
-        await rival.SendAsync(RosbridgeWriter.Publish(RosTopics.JointStates, state, RosTimeForm.Sec));
-
-        var error = (await headset.ReceiveAsync()).JointState.Stamp - ads.AtCount(count);
-        Assert.That(error.Duration(), Is.LessThan(TimeSpan.FromSeconds(1)), "the two clocks differ by 2 s");
-    }
-
-    [Test]
     public async Task JointState_TooManyClocksOffered_IsRefused()
     {
         await using var gateway = await Gateways.StartAsync();
