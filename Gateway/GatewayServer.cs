@@ -61,7 +61,7 @@ public sealed class GatewayServer : IAsyncDisposable
         Recorder = new Recorder(options, Hub, Clock, PlantClocks, Drops, Log);
         _sync = new SyncServer(options, Clock, _access, wrong, Log);
         _limits = new LimitAlarm(Hub, Log);
-        var events = new EventList(options.Time, Log);
+        var events = new EventList(options.Time, _log.Write);
         _status = new GatewayStatus(options, Clock, PlantClocks, Hub, Drops, SyncConnections, WebSocketConnections, Recorder, _limits, events, Log);
         var recordings = new RecordingsFolder(options.Recordings);
         RecordingsWatch = new RecordingsWatch(Recorder, recordings, events, Log);

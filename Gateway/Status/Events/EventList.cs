@@ -1,9 +1,11 @@
 using System.Globalization;
+using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Status.Events;
 
 /// <summary>Keeps the newest events, and logs the start and end of each event. Thread-safe.</summary>
-sealed class EventList(TimeProvider time, Action<string> log)
+/// <param name="log">Receives each line and its kind, which has a rate limit of its own.</param>
+sealed class EventList(TimeProvider time, Action<string, string> log)
 {
     /// <summary>Maximum number of events, except while more are active.</summary>
     internal const int MaxEvents = 500;
@@ -22,7 +24,7 @@ sealed class EventList(TimeProvider time, Action<string> log)
     /// <summary>Starts an event for each new condition, and ends the event of each condition that is over.</summary>
     public void Update(IReadOnlyCollection<Condition> present)
     {
-        List<string> lines = [];
+        List<(string Text, Condition Condition)> lines = [];
         lock (_lock)
         {
             var now = time.GetUtcNow();
@@ -32,18 +34,18 @@ sealed class EventList(TimeProvider time, Action<string> log)
                 var known = _events[i];
                 if (known.Until != null) continue;
                 if (byKey.Remove(known.Condition.Key, out var condition)) _events[i] = known with { Condition = condition };
-                else lines.Add(EndLine(_events[i] = known with { Until = now }));
+                else lines.Add((EndLine(_events[i] = known with { Until = now }), known.Condition));
             }
 
             foreach (var key in _pending.Keys.Where(key => !byKey.ContainsKey(key)).ToList()) _pending.Remove(key);
             foreach (var condition in byKey.Values)
             {
                 if (condition.IsNormalAtStart && (condition.Age ?? time.GetElapsedTime(_started)) < StartGrace) _pending.TryAdd(condition.Key, condition.Since ?? now);
-                else lines.Add(Begin(condition, _pending.Remove(condition.Key, out var since) ? since : condition.Since ?? now, null));
+                else lines.Add((Begin(condition, _pending.Remove(condition.Key, out var since) ? since : condition.Since ?? now, null), condition));
             }
         }
 
-        lines.ForEach(log);
+        foreach (var (text, condition) in lines) Log(text, condition);
     }
 
     /// <summary>Adds an event without a duration.</summary>
@@ -56,7 +58,7 @@ sealed class EventList(TimeProvider time, Action<string> log)
             line = Begin(condition, now, now);
         }
 
-        log(line);
+        Log(line, condition);
     }
 
     /// <summary>Gets the newest events and all active events, the newest first.</summary>
@@ -82,10 +84,16 @@ sealed class EventList(TimeProvider time, Action<string> log)
     {
         // Removes only events that are over. An active event that were removed would begin again at the next update. The number of active events is
         // limited by the number of joints, frames, signals and clients.
-        while (_events.Count >= MaxEvents && _events.FindIndex(known => known.Until != null) is >= 0 and var over) _events.RemoveAt(over);
+        while (_events.Count >= MaxEvents && OldestOfTheMostFrequentKind() is { } over) _events.Remove(over);
         _events.Add(new StatusEvent(++_lastId, condition, since, until));
         return $"event {_lastId}: {condition.Text}";
     }
+
+    // Events of a kind that a client causes in any number, such as headsets with new names, must not replace those of other kinds.
+    StatusEvent OldestOfTheMostFrequentKind() =>
+        _events.Where(known => known.Until != null).GroupBy(known => known.Condition.Kind).MaxBy(kind => kind.Count())?.First();
+
+    void Log(string line, Condition condition) => log(line, EventTexts.OtherEvents(condition.Kind));
 
     static string EndLine(StatusEvent ended) => string.Create(
         CultureInfo.InvariantCulture,

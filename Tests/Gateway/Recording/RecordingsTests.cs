@@ -178,7 +178,7 @@ public class RecordingsTests
         await using var gateway = await StartAsync();
         var (path, away) = (Path.Combine(_folder, "a.jsonl"), _folder + "-away");
         File.WriteAllText(path, "{}\n");
-        var events = new EventList(TimeProvider.System, _ => { });
+        var events = new EventList(TimeProvider.System, (_, _) => { });
         var log = new ConcurrentQueue<string>();
         using var watch = new RecordingsWatch(gateway.Recorder, new RecordingsFolder(_folder), events, log.Enqueue);
 
@@ -204,7 +204,7 @@ public class RecordingsTests
         var path = Path.Combine(_folder, "a.jsonl");
         File.WriteAllText(path, "{}\n");
         var log = new ConcurrentQueue<string>();
-        var events = new EventList(TimeProvider.System, _ => throw new InvalidOperationException("the log is full"));
+        var events = new EventList(TimeProvider.System, (_, _) => throw new InvalidOperationException("the log is full"));
         using var watch = new RecordingsWatch(gateway.Recorder, new RecordingsFolder(_folder), events, log.Enqueue);
         File.Delete(path);
 

@@ -40,6 +40,19 @@ public class RateLimitedLogTests
     }
 
     [Test]
+    public void Lines_OfAKind_AreLoggedAfterManyOtherLines()
+    {
+        for (var i = 0; i < 1000; i++) _log.Write("other " + i);
+        _lines.Clear();
+
+        for (var i = 0; i < 1000; i++) _log.Write("refused " + i, "refused");
+        _log.Dispose();
+
+        Assert.That(_lines.Count(line => line.StartsWith("refused ", StringComparison.Ordinal)), Is.EqualTo(RateLimitedLog.LinesOfAKindAMinute + 1));
+        Assert.That(_lines, Has.One.EqualTo("refused (900 more)"));
+    }
+
+    [Test]
     public void Lines_InSeveralMinutes_AreLimitedPerMinute()
     {
         for (var minute = 0; minute < 3; minute++)

@@ -11,7 +11,7 @@ public class ClockStepsTests
     {
         var plant = new ServedClockTests.VirtualPlant();
         var plc = plant.Add("plc", 1000, 20);
-        var events = new EventList(new SteppedTime(), _ => { });
+        var events = new EventList(new SteppedTime(), (_, _) => { });
         var steps = new ClockSteps(plant.Clocks, events);
         void Run(double seconds)
         {

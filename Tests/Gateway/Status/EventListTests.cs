@@ -14,7 +14,7 @@ public class EventListTests
     public void Open()
     {
         _log.Clear();
-        _events = new EventList(_time, _log.Add);
+        _events = new EventList(_time, (line, _) => _log.Add(line));
     }
 
     static Condition Joint(string name, string reason = "status Bad", DateTimeOffset? since = null) =>
@@ -59,6 +59,19 @@ public class EventListTests
         _events.Update([Joint("a")]);
 
         Assert.That(_events.Read().Select(one => (one.Id, one.Until == null)), Is.EqualTo(new[] { (2L, true), (1L, false) }));
+    }
+
+    [Test]
+    public void Note_ManyEventsOfOneKind_KeepsTheEventsOfOtherKinds()
+    {
+        _events.Update([Joint("a")]);
+        _events.Update([]);
+        for (var i = 0; i < 2 * EventList.MaxEvents; i++) _events.Note(new Condition("headset", $"headset-{i}", "is lost", "", Level.Warning));
+
+        var kept = _events.Read();
+        Assert.That(kept, Has.Count.EqualTo(EventList.MaxEvents));
+        Assert.That(kept.Count(one => one.Condition.Kind == "joint"), Is.EqualTo(1));
+        Assert.That(kept[0].Condition.Which, Is.EqualTo($"headset-{(2 * EventList.MaxEvents) - 1}"), "the oldest events are removed");
     }
 
     [Test]
