@@ -244,4 +244,10 @@ describe('configuration', () => {
 
     assert.deepEqual(readConfiguration(path, {}, kinds).secrets, ['Größe-4711']);
   });
+
+  it('ReadConfiguration_PasswordFileAndPasswordOfAnotherPlantInTheEnvironment_UsesTheFile', () => {
+    const path = temporaryFile('plant.yaml', GOOD.replace('joints:', `  user: { name: cell, password_file: '${temporaryFile('password', 'of-this-plant')}' }\njoints:`));
+
+    assert.deepEqual(readConfiguration(path, { NOWPOSE_PLANT_PASSWORD: 'of-another-plant' }, kinds).secrets, ['of-this-plant']);
+  });
 });

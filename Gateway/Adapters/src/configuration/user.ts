@@ -9,7 +9,10 @@ export interface User {
   password: string;
 }
 
-/** Gets the user in the section plant.user; null if it has no name. The password comes from a file or the environment, and is not logged. */
+/**
+ * Gets the user in the section plant.user; null if it has no name. The password, which is not logged, comes from a file; without one, from the
+ * environment, which all plants of a gateway have in common.
+ */
 export function userIn(
   file: YamlFile,
   user: { name?: string; password_file?: string } | undefined,
@@ -19,8 +22,8 @@ export function userIn(
   if (user?.name === undefined) return null;
   const at = ['plant', 'user', 'password_file'] as const;
   const fromFile = user.password_file === undefined ? null : secretIn(file, at, user.password_file);
-  const password = environment.NOWPOSE_PLANT_PASSWORD ?? fromFile;
-  if (password === null && user.password_file === undefined) file.report(at, configurationMessages.noPassword);
+  const password = user.password_file === undefined ? environment.NOWPOSE_PLANT_PASSWORD : fromFile;
+  if (password === undefined) file.report(at, configurationMessages.noPassword);
   configuration.secrets.push(password ?? '');
   return { name: user.name, password: password ?? '' };
 }
