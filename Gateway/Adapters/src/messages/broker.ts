@@ -12,6 +12,7 @@ export const brokerSettingMessages = {
 export const brokerMessages = {
   notSecure:
     'the connection to the broker is neither encrypted nor authenticated (plain: true): anyone with access to its network can impersonate the plant',
+  packetTooLong: (most: number) => `the broker sent a packet of more than ${most} KiB; check which client publishes it`,
   closed: 'the broker closed the connection',
   silent: (endpoint: string) => `${endpoint} does not respond; check the broker and the network`,
   subscriptionRefused: (topic: string, reason: string) =>

@@ -4,6 +4,7 @@ import { reconnecting } from '../backoff';
 import { isUnknownHost, isUntrusted } from '../connectionErrors';
 import type { BrokerAddress } from './address';
 import { brokerMessages } from '../messages/broker';
+import { PacketLimit } from './packetLimit';
 
 const KEEP_ALIVE_S = 3;
 const CONNECT_MS = 5000;
@@ -87,6 +88,12 @@ export class MqttLink {
       };
       stop.addEventListener('abort', leave);
       client.on('connect', () => this.#open(client));
+      const limit = new PacketLimit(MAX_PACKET);
+      client.stream.on('data', (bytes: Uint8Array) => {
+        if (failure !== null || !limit.exceeds(bytes)) return;
+        failure = new Error(brokerMessages.packetTooLong(MAX_PACKET / 1024));
+        client.stream.destroy();
+      });
       client.on('message', (topic, payload, { retain }) => this.#hear(topic, payload, retain));
       client.on('error', error => {
         failure = error;

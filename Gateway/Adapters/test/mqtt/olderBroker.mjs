@@ -5,9 +5,13 @@ const CONNECT = 1, SUBSCRIBE = 8, PING = 12, MQTT_3_1_1 = 4, UNACCEPTABLE_VERSIO
 
 const text = value => Buffer.concat([Buffer.of(0, value.length), Buffer.from(value)]);
 
-/** Starts the broker, which refuses MQTT 5 with the code `refusal`. Resolves with its address, and the protocol versions of all connections. */
-export async function startOlderBroker(test, topic, message, refusal = UNACCEPTABLE_VERSION) {
-  const sockets = new Set(), versions = [];
+/**
+ * Starts the broker, which refuses MQTT 5 with the code `refusal`. Resolves with its address, the protocol versions of all connections, and the number
+ * of bytes that it has sent on each connection that subscribed.
+ * @param publish Sends what follows a subscription; the retained message by default.
+ */
+export async function startOlderBroker(test, topic, message, refusal = UNACCEPTABLE_VERSION, publish = null) {
+  const sockets = new Set(), subscribed = [], versions = [];
   const server = createServer(socket => {
     sockets.add(socket.on('error', () => {}));
     let received = Buffer.alloc(0);
@@ -26,6 +30,8 @@ export async function startOlderBroker(test, topic, message, refusal = UNACCEPTA
     if (type === PING) socket.write(Buffer.of(0xd0, 0));
     if (type !== SUBSCRIBE) return;
     socket.write(Buffer.of(0x90, 3, body[0], body[1], 1));
+    subscribed.push(socket);
+    if (publish !== null) return publish(socket);
     const publication = Buffer.concat([text(topic), Buffer.from(message)]);
     socket.write(Buffer.concat([Buffer.of(0x31, publication.length), publication]));
   }
@@ -34,5 +40,5 @@ export async function startOlderBroker(test, topic, message, refusal = UNACCEPTA
     for (const socket of sockets) socket.destroy();
     server.close();
   });
-  return { url: `mqtt://127.0.0.1:${server.address().port}`, versions };
+  return { url: `mqtt://127.0.0.1:${server.address().port}`, versions, sent: () => subscribed.map(({ bytesWritten }) => bytesWritten) };
 }
