@@ -77,6 +77,9 @@ public sealed record GatewayOptions
     /// <summary>Maximum number of connections of each of the two servers.</summary>
     public int MaxConnections { get; init; } = 256;
 
+    /// <summary>Maximum number of connections of observers to the WebSocket port. The others are reserved for sources and operators.</summary>
+    internal int MaxObservers => MaxConnections - (MaxConnections / 8);
+
     /// <summary>
     /// Maximum number of connections from one address, on each of the two ports, before authentication. The number applies separately to
     /// connections before and after the TLS handshake. At the limit, a new connection replaces the oldest one.

@@ -15,7 +15,7 @@ sealed class TimeRequestLimits(GatewayOptions options, ConnectionCounters counte
     public async Task<bool> AdmitAsync(HttpContext context)
     {
         if (PlaceOf(context) is not { } place)
-            await AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, LimitMessages.Connections(options.MaxConnections));
+            await AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, LimitMessages.Connections(options.MaxObservers));
         else if (place.Rate.TryTake())
             return true;
         else
@@ -35,7 +35,7 @@ sealed class TimeRequestLimits(GatewayOptions options, ConnectionCounters counte
     {
         var items = context.Features.GetRequiredFeature<IConnectionItemsFeature>().Items;
         if (items.TryGetValue(this, out var known)) return (Place)known;
-        if (!counters.TryEnter(options.MaxConnections)) return null;
+        if (!counters.TryEnter(options.MaxObservers)) return null;
         var place = new Place(new RequestRate(options.SyncRequestsPerSecond));
         items.Add(this, place);
         PendingWebConnections.Release(context);

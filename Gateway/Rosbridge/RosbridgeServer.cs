@@ -17,6 +17,8 @@ sealed class RosbridgeServer(
 {
     readonly CancellationTokenSource _stop = new();
     readonly NamesInUse _names = new(options.Time);
+    // Counts the open connections of observers.
+    readonly ConnectionCounters _observers = new();
 
     public DropCounters Drops { get; } = new();
 
@@ -42,14 +44,37 @@ sealed class RosbridgeServer(
         if (!context.WebSockets.IsWebSocketRequest)
             await AccessControl.AnswerAsync(
                 context, StatusCodes.Status426UpgradeRequired, RequestMessages.NotAWebSocket);
-        else if (!counters.TryEnter(options.MaxConnections))
-            await AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, LimitMessages.Connections(options.MaxConnections));
+        else if (role != Role.Observer)
+            await ServeAsync(context, role, options.MaxConnections);
+        else if (_observers.TryEnter(options.MaxObservers))
+            await ServeObserverAsync(context);
         else
-            await ServeAsync(context, role);
+            await ServeAsync(context, role, 0);
     }
 
-    async Task ServeAsync(HttpContext context, Role role)
+    async Task ServeObserverAsync(HttpContext context)
     {
+        try
+        {
+            await ServeAsync(context, Role.Observer, options.MaxConnections);
+        }
+        finally
+        {
+            _observers.Leave(Closure.ByPeer);
+        }
+    }
+
+    // Refuses and counts a connection beyond the maximum.
+    async Task ServeAsync(HttpContext context, Role role, int max)
+    {
+        if (!counters.TryEnter(max))
+        {
+            await AccessControl.AnswerAsync(
+                context, StatusCodes.Status503ServiceUnavailable,
+                LimitMessages.Connections(role == Role.Observer ? options.MaxObservers : options.MaxConnections));
+            return;
+        }
+
         var why = Closure.ByPeer;
         try
         {
@@ -93,7 +118,7 @@ sealed class RosbridgeServer(
             MaxMessagesPerSecond = perSecond,
         };
         using var watched = access.Watch(
-            accessControl.TokenHashOf(context), role, () => connection.End(Closure.Token), accessControl.LoginOf(context));
+            accessControl.TokenHashOf(context), role, connection.End, accessControl.LoginOf(context));
         var why = await connection.RunAsync(session);
         if (why == Closure.MalformedFrame)
             await upgrade.DrainAsync(ProtocolLimits.CloseTimeout);

@@ -10,8 +10,14 @@ sealed class AccessWatch : IDisposable
 {
     internal static readonly TimeSpan Interval = TimeSpan.FromMilliseconds(500);
 
+    /// <summary>
+    /// Maximum number of connections of one paired headset to both ports. It uses two; others are lost ones that the gateway has not closed yet.
+    /// </summary>
+    const int MaxOfHeadset = 16;
+
     readonly GatewayOptions _options;
-    readonly HashSet<Watched> _watched = [];
+    // In the order in which they began.
+    readonly LinkedList<Watched> _watched = [];
     readonly Action<string> _log;
     readonly ExpiryNotice _expiry;
     readonly Timer _timer;
@@ -36,18 +42,28 @@ sealed class AccessWatch : IDisposable
     /// <summary>Starts the periodic check. The first check is immediate.</summary>
     public void Start() => _timer.Change(TimeSpan.Zero, Timeout.InfiniteTimeSpan);
 
-    /// <summary>Watches a connection until the returned object is disposed.</summary>
+    /// <summary>
+    /// Watches a connection until the returned object is disposed. At the maximum of a paired headset, the connection replaces the headset's oldest
+    /// one.
+    /// </summary>
     /// <param name="tokenHash">Hash of the connection's token; null if it connected without a token.</param>
     /// <param name="role">Role of the connection.</param>
-    /// <param name="end">Called once when the token is no longer valid; must not block.</param>
+    /// <param name="end">Called once, with the reason, when the connection must end; must not block.</param>
     /// <param name="lasts">
     /// Returns whether the browser session is still valid; null for a connection that sent the token itself. Must not block.
     /// </param>
-    public IDisposable Watch(byte[] tokenHash, Role role, Action end, Func<bool> lasts = null)
+    public IDisposable Watch(byte[] tokenHash, Role role, Action<Closure> end, Func<bool> lasts = null)
     {
         var watched = new Watched(this, tokenHash, role, end, lasts);
+        Watched[] replaced = [];
         lock (_watched)
-            _watched.Add(watched);
+        {
+            _watched.AddLast(watched);
+            if (tokenHash != null && _options.Headsets?.Contains(tokenHash) == true)
+                replaced = [.. _watched.Where(other => other.IsOf(tokenHash)).SkipLast(MaxOfHeadset)];
+        }
+
+        foreach (var old in replaced) old.End(Closure.ConnectionLimit);
         return watched;
     }
 
@@ -88,16 +104,21 @@ sealed class AccessWatch : IDisposable
             present = [.. _watched];
         foreach (var watched in present.Where(watched => !watched.Holds))
         {
-            watched.Dispose();
-            watched.End();
+            watched.End(Closure.Token);
         }
     }
 
-    sealed class Watched(AccessWatch watch, byte[] tokenHash, Role role, Action end, Func<bool> lasts) : IDisposable
+    sealed class Watched(AccessWatch watch, byte[] tokenHash, Role role, Action<Closure> end, Func<bool> lasts) : IDisposable
     {
         public bool Holds => watch._options.Holds(tokenHash, role) && lasts?.Invoke() != false;
 
-        public void End() => end();
+        public bool IsOf(byte[] hash) => tokenHash != null && tokenHash.AsSpan().SequenceEqual(hash);
+
+        public void End(Closure why)
+        {
+            Dispose();
+            end(why);
+        }
 
         public void Dispose()
         {

@@ -185,7 +185,7 @@ sealed class ServedSyncConnection
         {
             _isAccepted = true;
             _watched?.Dispose();
-            _watched = _access.Watch(hash, role.Value, () => Stop(Closure.Token));
+            _watched = _access.Watch(hash, role.Value, Stop);
         }
 
         if (!isValid) SlowDown();

@@ -8,6 +8,10 @@ namespace Nowpose.Headless.Tests.Gateway;
 /// <summary>Sends and receives any bytes and frames on the WebSocket port, including invalid ones and control frames.</summary>
 sealed class RawWebSocket : IDisposable
 {
+    /// <summary>The header fields that request a WebSocket.</summary>
+    public const string Upgrade = "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
+        + "Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n";
+
     public const int Text = 1;
     public const int Close = 8;
     public const int Ping = 9;
@@ -48,9 +52,7 @@ sealed class RawWebSocket : IDisposable
     public static async Task<RawWebSocket> OpenAsync(GatewayServer gateway, string headers = "", int receiveBytes = 0)
     {
         var raw = await ConnectAsync(gateway, receiveBytes);
-        var upgrade = "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
-            + "Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n";
-        Assert.That(await raw.RequestAsync(upgrade + headers), Does.StartWith("HTTP/1.1 101 "));
+        Assert.That(await raw.RequestAsync(Upgrade + headers), Does.StartWith("HTTP/1.1 101 "));
         return raw;
     }
 

@@ -18,6 +18,48 @@ public class RosbridgeServerTests
     }
 
     [Test]
+    public async Task Connections_TooManyOfObservers_LeavePlacesForSourcesAndOperators()
+    {
+        static string With(string token) => $"Authorization: Bearer {token}\r\n";
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { MaxConnections = 16, Tokens = Gateways.Tokens });
+        var clients = new List<RawWebSocket>();
+        try
+        {
+            for (var i = 0; i < 14; i++) clients.Add(await RawWebSocket.OpenAsync(gateway, With(Gateways.ObserverToken)));
+            using (var refused = await RawWebSocket.ConnectAsync(gateway))
+                Assert.That(await refused.RequestAsync(With(Gateways.ObserverToken) + RawWebSocket.Upgrade), Does.StartWith("HTTP/1.1 503 "));
+
+            foreach (var token in new[] { Gateways.SourceToken, Gateways.OperatorToken }) clients.Add(await RawWebSocket.OpenAsync(gateway, With(token)));
+
+            Assert.That(gateway.WebSocketConnections.Open, Is.EqualTo(16));
+        }
+        finally
+        {
+            foreach (var client in clients) client.Dispose();
+        }
+    }
+
+    [Test]
+    public async Task Connections_ManyOfOneHeadset_ReplaceItsOldestOnes()
+    {
+        await using var gateway = await PairingGateway.StartAsync(isSecure: false);
+        var token = (await gateway.ExchangeAsync((await gateway.ShownAsync()).Token, "first")).Token;
+        var clients = new List<RawRosbridgeClient>();
+        try
+        {
+            for (var i = 0; i < 20; i++)
+                clients.Add(await RawRosbridgeClient.ConnectAsync(gateway.Server, options => options.SetRequestHeader("Authorization", "Bearer " + token)));
+
+            await Soon.BecomesAsync(() => gateway.Server.WebSocketConnections[Closure.ConnectionLimit] == 4, "all connections beyond 16 have ended");
+            await clients[^1].RoundTripAsync();
+        }
+        finally
+        {
+            foreach (var client in clients) client.Dispose();
+        }
+    }
+
+    [Test]
     public async Task Connections_WithHttpRequestsOnly_DoNotCountTowardsTheLimit()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { MaxConnections = 1 });
