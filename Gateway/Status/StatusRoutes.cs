@@ -24,6 +24,9 @@ sealed class StatusRoutes(GatewayStatus status, AccessControl accessControl)
         Converters = { new FiniteNumbers() },
     };
 
+    readonly SharedResult<StatusSnapshot> _state = new(status.Read);
+    readonly SharedResult<IReadOnlyList<string>> _notReadyReasons = new(status.NotReadyReasons);
+
     /// <summary>Handles requests for the status. Passes on all others, including WebSocket requests on these paths.</summary>
     public Task ServeAsync(HttpContext context, RequestDelegate next)
     {
@@ -48,14 +51,14 @@ sealed class StatusRoutes(GatewayStatus status, AccessControl accessControl)
         if (await AdmitAsync(context) is not { } role) return;
         // If no token is required, every client on the gateway's machine is an operator.
         var effective = accessControl.IsOperator(context) ? Role.Operator : role;
-        var state = status.Read() with { Role = effective.ToString().ToLowerInvariant() };
+        var state = await _state.GetAsync() with { Role = effective.ToString().ToLowerInvariant() };
         await SendAsync(context, "application/json", JsonSerializer.SerializeToUtf8Bytes(state, Snake));
     }
 
     async Task AnswerMetricsAsync(HttpContext context)
     {
         if (await AdmitAsync(context) == null) return;
-        await SendAsync(context, PrometheusText.ContentType, Encoding.UTF8.GetBytes(Metrics.Of(status.Read(), status.Forwarding)));
+        await SendAsync(context, PrometheusText.ContentType, Encoding.UTF8.GetBytes(Metrics.Of(await _state.GetAsync(), status.Forwarding)));
     }
 
     async Task AnswerEventsAsync(HttpContext context)
@@ -74,13 +77,13 @@ sealed class StatusRoutes(GatewayStatus status, AccessControl accessControl)
         else await SendAsync(context, "application/json", JsonSerializer.SerializeToUtf8Bytes(events, Snake));
     }
 
-    Task AnswerReadyAsync(HttpContext context)
+    async Task AnswerReadyAsync(HttpContext context)
     {
-        var reasons = status.NotReadyReasons();
+        var reasons = await _notReadyReasons.GetAsync();
         context.Response.StatusCode = reasons.Count == 0 ? StatusCodes.Status200OK : StatusCodes.Status503ServiceUnavailable;
         var lines = reasons.Take(MaxReasons).Prepend(reasons.Count == 0 ? "ready" : "waiting").ToList();
         if (reasons.Count > MaxReasons) lines.Add($"and {reasons.Count - MaxReasons} more");
-        return SendAsync(context, "text/plain; charset=utf-8", Encoding.UTF8.GetBytes(string.Join('\n', lines) + "\n"));
+        await SendAsync(context, "text/plain; charset=utf-8", Encoding.UTF8.GetBytes(string.Join('\n', lines) + "\n"));
     }
 
     async Task<Role?> AdmitAsync(HttpContext context)
