@@ -9,6 +9,9 @@ static class MotionFileMessages
     public static string Session(string path) =>
         $"{path}: is a session; enter a motion, a .csv or .csv.gz file with the time and one column for each joint";
 
+    public static string LineTooLong(string path, int line, int maxMebibytes) =>
+        $"{path}:{line}: the line or a field is longer than {maxMebibytes} MiB; shorten it";
+
     public static string Quotation(string path, int row) => $"{path}:{row}: a quotation mark is inside a field; quote whole fields or none";
     public static string TooFewRows(string path, int rows) => $"{path}: has {(rows == 0 ? "no row" : "only one row")} of data; a motion needs at least 2";
     public static string Empty(string path) => $"{path}: is empty; a header such as t,joint_1,joint_2 is needed";

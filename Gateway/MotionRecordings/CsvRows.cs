@@ -17,6 +17,8 @@ public sealed class CsvRows : IDisposable
         TrimOptions = TrimOptions.Trim,
         // The parser would count the blank lines before a row as a part of it.
         IgnoreBlankLines = false,
+        // A quoted field may extend over many lines.
+        MaxFieldSize = RecordingText.MaxLineMebibytes << 20,
         BadDataFound = onBadQuote == null ? null : _ => onBadQuote(Line),
     });
 

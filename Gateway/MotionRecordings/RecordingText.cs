@@ -1,4 +1,5 @@
 using System.IO.Compression;
+using CsvHelper;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 
@@ -7,6 +8,12 @@ namespace Nowpose.Gateway.MotionRecordings;
 /// <summary>Opens text files that users name, plain or compressed with gzip.</summary>
 public static class RecordingText
 {
+    /// <summary>
+    /// Maximum length of a line. The longest lines are those of recorded sessions that contain a robot description, of at most 1 MiB without escapes.
+    /// A longer line, which a small compressed file can contain, would only exhaust the memory.
+    /// </summary>
+    internal const int MaxLineMebibytes = 8;
+
     /// <summary>Gets whether a path has the name of a recorded session, which is not a motion.</summary>
     public static bool IsSession(string path) => path != null
         && (path.EndsWith(".jsonl", StringComparison.OrdinalIgnoreCase) || path.EndsWith(".jsonl.gz", StringComparison.OrdinalIgnoreCase));
@@ -21,7 +28,9 @@ public static class RecordingText
             throw new InputException(MotionFileMessages.IsAFolder(path));
         var bytes = FileFault.Report<Stream>(
             () => File.OpenRead(path), e => FileFault.IsMissing(e) ? PathMessages.NotFound(path) : PathMessages.NotRead(path, e));
-        return new StreamReader(path.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? new GZipStream(bytes, CompressionMode.Decompress) : bytes);
+        var text = path.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? new GZipStream(bytes, CompressionMode.Decompress) : bytes;
+        return new StreamReader(new LineLimitStream(
+            text, line => throw new InputException(MotionFileMessages.LineTooLong(path, line, MaxLineMebibytes)), MaxLineMebibytes << 20));
     }
 
     /// <summary>Opens a text file as <see cref="Open"/> does, and reads it with a function.</summary>
@@ -32,6 +41,10 @@ public static class RecordingText
         try
         {
             return read(text);
+        }
+        catch (MaxFieldSizeException e)
+        {
+            throw new InputException(MotionFileMessages.LineTooLong(path, e.Context.Parser.RawRow, MaxLineMebibytes), e);
         }
         catch (Exception e) when (e is IOException or InvalidDataException)
         {
