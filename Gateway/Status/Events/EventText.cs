@@ -26,6 +26,7 @@ static class EventText
 
     static string Quoted(string field)
     {
+        field = string.Join('\n', field.Split('\n').Select(line => InputException.OneLine(line, int.MaxValue)));
         var safe = field.Length > 0 && FormulaStarts.Contains(field[0]) ? "'" + field : field;
         return $"\"{safe.Replace("\"", "\"\"", StringComparison.Ordinal)}\"";
     }

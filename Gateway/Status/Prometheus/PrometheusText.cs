@@ -67,11 +67,10 @@ sealed class PrometheusText
     // Also replaces unpaired surrogates, as the UTF-8 encoder would do later, so that duplicates are detected.
     static void Escape(StringBuilder text, string value)
     {
-        foreach (var rune in value.EnumerateRunes()) _ = rune.Value switch
+        foreach (var rune in InputException.OneLine(value, int.MaxValue).EnumerateRunes()) _ = rune.Value switch
         {
             '\\' => text.Append("\\\\"),
             '"' => text.Append("\\\""),
-            '\n' => text.Append("\\n"),
             _ => text.Append(rune.ToString()),
         };
     }

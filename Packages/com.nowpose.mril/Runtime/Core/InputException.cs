@@ -1,4 +1,5 @@
 using System;
+using System.Globalization;
 
 namespace Nowpose
 {
@@ -14,7 +15,7 @@ namespace Nowpose
         public InputException(string message) : base(OneLine(message, MaxMessageLength)) { }
         public InputException(string message, Exception innerException) : base(OneLine(message, MaxMessageLength), innerException) { }
 
-        /// <summary>Returns a message from another source as one line of limited length. Line endings become spaces.</summary>
+        /// <summary>Returns a message from another source as one line of limited length. Line endings and invisible characters become spaces.</summary>
         internal static string OneLine(string message, int longest)
         {
             if (message == null) return null;
@@ -22,9 +23,13 @@ namespace Nowpose
                 message = message.Substring(0, Boundary(message, longest * 6 / 10)) + " … " + message.Substring(Boundary(message, message.Length - longest * 3 / 10));
             var letters = message.ToCharArray();
             for (var i = 0; i < letters.Length; i++)
-                if (char.IsControl(letters[i]) || letters[i] == '\u2028' || letters[i] == '\u2029') letters[i] = ' ';
+                if (IsInvisible(letters[i])) letters[i] = ' ';
             return new string(letters);
         }
+
+        // Also line and paragraph separators, and characters that change the direction of the text after them.
+        static bool IsInvisible(char letter) => char.GetUnicodeCategory(letter) is UnicodeCategory.Control or UnicodeCategory.Format
+            or UnicodeCategory.LineSeparator or UnicodeCategory.ParagraphSeparator;
 
         // A cut between the two halves of a surrogate pair would leave characters that no UTF-8 text can contain.
         static int Boundary(string text, int index) =>
