@@ -1,6 +1,7 @@
 using System.Net;
 using System.Net.Sockets;
 using System.Security.Authentication;
+using System.Security.Cryptography;
 using Microsoft.AspNetCore.Hosting.Server;
 using Microsoft.AspNetCore.Hosting.Server.Features;
 using Microsoft.AspNetCore.Server.Kestrel.Core;
@@ -105,6 +106,10 @@ public sealed class GatewayServer : IAsyncDisposable
 
     /// <summary>The certificate pin that headsets store; null without TLS.</summary>
     public CertificatePin Pin => _options.Certificate == null ? null : CertificatePin.Of(_options.Certificate);
+
+    /// <summary>SHA-256 fingerprint of the certificate as browsers show it, to verify it before a token is entered; null without TLS.</summary>
+    internal string Fingerprint => _options.Certificate is not { } certificate ? null
+        : BitConverter.ToString(certificate.GetCertHash(HashAlgorithmName.SHA256)).Replace('-', ':');
 
     /// <summary>Warnings for the operator: unnecessary privileges, and secret files that other users can read.</summary>
     public IEnumerable<string> Warnings => Precautions.Of(_options, Environment.GetEnvironmentVariable("CREDENTIALS_DIRECTORY"));

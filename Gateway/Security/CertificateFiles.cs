@@ -105,8 +105,8 @@ public static class CertificateFiles
         names.AddDnsName("localhost");
         foreach (var name in OwnHosts.MachineNames.Where(name => Uri.CheckHostName(name) == UriHostNameType.Dns))
             names.AddDnsName(name);
-        names.AddIpAddress(IPAddress.Loopback);
-        names.AddIpAddress(IPAddress.IPv6Loopback);
+        foreach (var address in OwnHosts.AddressesOfThisMachine().Append(IPAddress.Loopback).Append(IPAddress.IPv6Loopback).Distinct())
+            names.AddIpAddress(address);
         return names.Build();
     }
 }

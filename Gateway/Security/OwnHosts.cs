@@ -38,17 +38,20 @@ static class OwnHosts
         return addresses.Select(UrlTextOf).Append(MachineNames[^1]);
     }
 
-    // Multicast DNS resolves the name with the suffix .local to this machine.
-    static IEnumerable<string> NamesOf(IPAddress local) =>
-        [.. IPAddress.IsLoopback(local) ? ["localhost"] : Array.Empty<string>(), .. MachineNames, MachineNames[0] + ".local"];
-
-    // Omits link-local IPv6 addresses, because they need the name of a network interface, and browsers do not accept such addresses.
-    static IEnumerable<IPAddress> AddressesOfThisMachine() =>
+    /// <summary>
+    /// Gets the addresses of this machine, without those of loopback and without link-local IPv6 addresses, because the latter need the name of a
+    /// network interface, and browsers do not accept them.
+    /// </summary>
+    public static IEnumerable<IPAddress> AddressesOfThisMachine() =>
         from network in NetworkInterface.GetAllNetworkInterfaces()
         where network.OperationalStatus == OperationalStatus.Up && network.NetworkInterfaceType != NetworkInterfaceType.Loopback
         from unicast in network.GetIPProperties().UnicastAddresses
         where !unicast.Address.IsIPv6LinkLocal
         select unicast.Address;
+
+    // Multicast DNS resolves the name with the suffix .local to this machine.
+    static IEnumerable<string> NamesOf(IPAddress local) =>
+        [.. IPAddress.IsLoopback(local) ? ["localhost"] : Array.Empty<string>(), .. MachineNames, MachineNames[0] + ".local"];
 
     static string UrlTextOf(IPAddress address)
     {

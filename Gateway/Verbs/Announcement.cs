@@ -46,6 +46,7 @@ static class Announcement
         foreach (var page in gateway.OperationsPageUris) Line("operations", page.ToString());
         Line("pair", gateway.PairingPageUri?.ToString());
         Line("pin", gateway.Pin?.ToString());
+        Line("fingerprint", gateway.Fingerprint);
         Line("control_time_s", clock.Now.SinceEpoch.TotalSeconds.ToString("0.0000000", CultureInfo.InvariantCulture));
         Line("skew_ppm", skewPpm.ToString(CultureInfo.InvariantCulture));
         Line("robot", robot);

@@ -1,3 +1,5 @@
+using System.Net.NetworkInformation;
+using System.Net.Sockets;
 using System.Security.Cryptography.X509Certificates;
 using NUnit.Framework;
 using Nowpose.Gateway.Security;
@@ -38,6 +40,18 @@ public class CertificateFilesTests
 
         Assert.That(CertificatePin.Of(first), Is.Not.EqualTo(CertificatePin.Of(second)));
         Assert.That(first.MatchesHostname("localhost"), Is.True);
+    }
+
+    [Test]
+    public void Generate_OnThisMachine_NamesItsAddresses()
+    {
+        var addresses = NetworkInterface.GetAllNetworkInterfaces().Where(one => one.OperationalStatus == OperationalStatus.Up)
+            .SelectMany(one => one.GetIPProperties().UnicastAddresses).Select(one => one.Address)
+            .Where(address => address.AddressFamily == AddressFamily.InterNetwork).ToArray();
+
+        using var certificate = CertificateFiles.Generate();
+
+        Assert.That(certificate.Extensions.OfType<X509SubjectAlternativeNameExtension>().Single().EnumerateIPAddresses(), Is.SupersetOf(addresses));
     }
 
     [Test]
