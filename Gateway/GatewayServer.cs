@@ -55,12 +55,12 @@ public sealed class GatewayServer : IAsyncDisposable
         _access = new AccessWatch(options, Log);
         WebSocketConnections = new ConnectionCounters();
         var wrong = new WrongTokens(options.Time);
-        var accessControl = new AccessControl(options, wrong, WebSocketConnections, Log);
+        var accessControl = new AccessControl(options, wrong, WebSocketConnections, _log.Write);
         _rosbridge = new RosbridgeServer(options, Clock, PlantClocks, Hub, accessControl, _access, WebSocketConnections, Log);
         _page = new VlcPage(options, Clock, accessControl, WebSocketConnections, Log, Web.Pages.Vlc);
         _pairing = new PairingRoutes(options, accessControl, WebSocketConnections, Log, Web.Pages.Pairing);
         Recorder = new Recorder(options, Hub, Clock, PlantClocks, Drops, Log);
-        _sync = new SyncServer(options, Clock, _access, wrong, Log);
+        _sync = new SyncServer(options, Clock, _access, wrong, _log.Write);
         _limits = new LimitAlarm(Hub, Log);
         var events = new EventList(options.Time, _log.Write);
         _status = new GatewayStatus(options, Clock, PlantClocks, Hub, Drops, SyncConnections, WebSocketConnections, Recorder, _limits, events, Log);
@@ -73,7 +73,7 @@ public sealed class GatewayServer : IAsyncDisposable
             _pairing.ServeAsync,
             new StatusRoutes(_status, accessControl).ServeAsync,
             new RecordingRoutes(Recorder, recordings, accessControl).ServeAsync,
-            new OperationsRoutes(options, accessControl, WebSocketConnections, Log, Web.Pages.Operations).ServeAsync,
+            new OperationsRoutes(options, accessControl, WebSocketConnections, Web.Pages.Operations).ServeAsync,
             RosbridgeServer.CountFragmentsAsync);
     }
 

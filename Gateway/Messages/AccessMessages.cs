@@ -1,3 +1,6 @@
+using System.Net;
+using Nowpose.Gateway.Security;
+
 namespace Nowpose.Gateway.Messages;
 
 /// <summary>Responses to clients without access, and log lines about them.</summary>
@@ -16,6 +19,17 @@ static class AccessMessages
 
     public static string TooManyWrong(string answer) => $"{answer}; too many wrong tokens from this address; wait a minute";
     public static string Refused(Closure why) => $"websocket: refused a connection (reason: {why})";
+    /// <summary>Adds the client to a line: its address, role, and the beginning of its token's hash.</summary>
+    /// <param name="role">Role of the client; null if it is unknown.</param>
+    /// <param name="hash">Hash of the client's token; null if it has none.</param>
+    public static string By(string line, IPAddress address, Role? role, byte[] hash)
+    {
+        var plain = address is { IsIPv4MappedToIPv6: true } ? address.MapToIPv4() : address;
+        var token = hash == null ? null : $"token {Convert.ToHexStringLower(hash)[..8]}";
+        var known = new[] { role?.ToString().ToLowerInvariant(), token }.Where(one => one != null);
+        return $"{line} from {plain}{(known.Any() ? $" ({string.Join(", ", known)})" : "")}";
+    }
+
     public static string NotChecked(string kind, string reason) =>
         $"security: tokens and certificate could not be checked ({kind}: {reason}); check the permissions of their files";
 

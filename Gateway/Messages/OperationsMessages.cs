@@ -1,5 +1,3 @@
-using Nowpose.Gateway.Security;
-
 namespace Nowpose.Gateway.Messages;
 
 /// <summary>Responses of the operations page, and log lines about it.</summary>
@@ -15,7 +13,7 @@ static class OperationsMessages
     public const string UnknownToken = "not a token of this gateway; enter another one";
     public const string TooManyWrong = "too many wrong tokens; wait a minute";
 
-    public static string LoggedIn(Role role) => $"operations: a browser logged in as {role}";
+    public const string LoggedIn = "operations: a browser logged in";
 
     public const string ThisMachineOnly =
         "without tokens, the operations page is available only at the gateway's address, at its machine's name and at localhost; use one of them";

@@ -13,13 +13,13 @@ static class PairingServiceMessages
 
     public static string TooManyWrong(int max) => $"more than {max} wrong codes in a minute; wait a minute";
 
+    public const string CodeRenewed = "pairing: the code was renewed";
     public const string NotStored = "the headset's token cannot be stored; see the gateway's log";
 
     public static string NotStoredLog(string reason) => $"pairing: {reason}";
     public static string TokenGiven(string headset) => $"pairing: headset '{headset}' received a token";
 
-    /// <param name="peer">Address from which the code came.</param>
-    public static string WrongCodeLog(string peer) => $"pairing: rejected a wrong code from {peer}";
+    public const string WrongCodeLog = "pairing: rejected a wrong code";
     public const string WrongCode = "this code is not valid; look at the code that the gateway shows now";
     public const string NotJson = "the body must be a JSON object whose values are strings, and the header Content-Length is needed";
 }

@@ -6,6 +6,10 @@ static class RecorderMessages
     public static string Begun(string path) => $"recording {path}";
     public static string Ended(string path, string problem) => $"recording {path}: {problem}";
 
+    public const string Enabled = "recorder: enabled";
+    public const string Disabled = "recorder: disabled";
+    public static string Download(string file) => $"recorder: download of {file}";
+
     public const string Deleted = "the file was deleted during the recording, and its lines are lost";
     public const string DiskAlmostFull = "less than 200 MB of the disk are free; delete recordings, or use another disk";
     public const string NoFolder = "recording: no folder is configured; start the gateway with --recordings FOLDER";

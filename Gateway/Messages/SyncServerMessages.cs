@@ -8,6 +8,7 @@ static class SyncServerMessages
 
     /// <param name="cause">The exception that ended the connection; null if it is unknown or need not be logged.</param>
     public static string Closed(Closure why, Exception cause) => cause == null
-        ? $"sync: closed a connection (reason: {why})"
-        : $"sync: closed a connection (reason: {why}): {cause.GetType().Name}: {cause.Message}";
+        ? ClosedFor(why) : $"{ClosedFor(why)}: {cause.GetType().Name}: {cause.Message}";
+
+    public static string ClosedFor(Closure why) => $"sync: closed a connection (reason: {why})";
 }

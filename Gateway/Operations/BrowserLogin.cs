@@ -8,7 +8,7 @@ namespace Nowpose.Gateway.Operations;
 /// <remarks>
 /// Scripts and other sites cannot read the cookie. With TLS, browsers send it over TLS only. The session ends when its token is revoked.
 /// </remarks>
-sealed class BrowserLogin(GatewayOptions options, AccessControl accessControl, ConnectionCounters counters, Action<string> log)
+sealed class BrowserLogin(GatewayOptions options, AccessControl accessControl, ConnectionCounters counters)
 {
     readonly WrongTokens _wrong = new(options.Time);
 
@@ -27,7 +27,7 @@ sealed class BrowserLogin(GatewayOptions options, AccessControl accessControl, C
         {
             _wrong.Count(context.Connection.RemoteIpAddress);
             counters.Count(Closure.Token);
-            log(OperationsMessages.UnknownTokenLog);
+            accessControl.Log(context, OperationsMessages.UnknownTokenLog, null, TokenList.HashOf(request.GetValueOrDefault("token", "").Trim()));
             await RefuseAsync(context, StatusCodes.Status401Unauthorized, OperationsMessages.UnknownToken);
         }
     }
@@ -46,8 +46,9 @@ sealed class BrowserLogin(GatewayOptions options, AccessControl accessControl, C
     Task OpenSessionAsync(HttpContext context, string token, Role role)
     {
         CloseSession(context);
-        context.Response.Cookies.Append(BrowserSessions.CookieOf(context), accessControl.Sessions.Open(TokenList.HashOf(token)), CookieSettings());
-        log(OperationsMessages.LoggedIn(role));
+        var hash = TokenList.HashOf(token);
+        context.Response.Cookies.Append(BrowserSessions.CookieOf(context), accessControl.Sessions.Open(hash), CookieSettings());
+        accessControl.Log(context, OperationsMessages.LoggedIn, role, hash);
         return SmallJson.AnswerAsync(context, new { role = role.ToString().ToLowerInvariant() });
     }
 

@@ -6,13 +6,13 @@ namespace Nowpose.Gateway.Operations;
 /// <summary>Serves the operations page and its login. Other routes below the same path serve the data for the page.</summary>
 /// <remarks>The page needs no token, because it contains no data, only the login form.</remarks>
 /// <param name="html">The page; null if it was not built.</param>
-sealed class OperationsRoutes(GatewayOptions options, AccessControl accessControl, ConnectionCounters counters, Action<string> log, string html)
+sealed class OperationsRoutes(GatewayOptions options, AccessControl accessControl, ConnectionCounters counters, string html)
 {
     public const string Path = "/operations";
     const string LoginPath = Path + "/login", LogoutPath = Path + "/logout";
 
     readonly HtmlPage _page = new(html);
-    readonly BrowserLogin _login = new(options, accessControl, counters, log);
+    readonly BrowserLogin _login = new(options, accessControl, counters);
 
     /// <summary>Handles requests for the page and the login. Passes on all others, including WebSocket requests on these paths.</summary>
     public async Task ServeAsync(HttpContext context, RequestDelegate next)

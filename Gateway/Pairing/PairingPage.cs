@@ -39,7 +39,12 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, AccessControl 
     public async Task SendCodeAsync(HttpContext context)
     {
         if (!await AdmitAsync(context) || await SmallJson.ReadAsync(context) is not { } request) return;
-        if (request.ContainsKey("renew")) shown.Discard();
+        if (request.ContainsKey("renew"))
+        {
+            shown.Discard();
+            accessControl.Log(context, PairingServiceMessages.CodeRenewed);
+        }
+
         var code = shown.Current(out var left);
         await SmallJson.AnswerAsync(context, new { text = code.Text, left_s = left.TotalSeconds, key = code.Pin?.Beginning ?? "" });
     }

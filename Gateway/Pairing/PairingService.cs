@@ -43,13 +43,13 @@ sealed class PairingService(GatewayOptions options, ShownCode shown, AccessContr
 
         if (own != null)
         {
-            log(PairingServiceMessages.TokenGiven(headset.Name));
+            accessControl.Log(context, PairingServiceMessages.TokenGiven(headset.Name), null, headset.Hash);
             return SmallJson.AnswerAsync(context, new { token = own });
         }
 
         _wrong.Count(context.Connection.RemoteIpAddress);
         counters.Count(Closure.Token);
-        log(PairingServiceMessages.WrongCodeLog($"{context.Connection.RemoteIpAddress}"));
+        accessControl.Log(context, PairingServiceMessages.WrongCodeLog, null, null);
         return AccessControl.AnswerAsync(context, StatusCodes.Status401Unauthorized, PairingServiceMessages.WrongCode);
     }
 }

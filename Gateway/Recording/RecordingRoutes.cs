@@ -36,8 +36,10 @@ sealed class RecordingRoutes(Recorder recorder, RecordingsFolder folder, AccessC
 
         try
         {
-            if (request["on"] == "true") recorder.SwitchOn();
+            var isOn = request["on"] == "true";
+            if (isOn) recorder.SwitchOn();
             else await recorder.SwitchOffAsync();
+            accessControl.Log(context, isOn ? RecorderMessages.Enabled : RecorderMessages.Disabled);
             await SmallJson.AnswerAsync(context, recorder.Status, StatusRoutes.Snake);
         }
         catch (InputException fault)
@@ -72,6 +74,7 @@ sealed class RecordingRoutes(Recorder recorder, RecordingsFolder folder, AccessC
             return;
         }
 
+        accessControl.Log(context, RecorderMessages.Download(file.Name));
         var response = context.Response;
         response.ContentType = "application/jsonl";
         response.Headers.ContentDisposition = $"attachment; filename=\"{file.Name}\"";

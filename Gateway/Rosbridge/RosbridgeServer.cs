@@ -84,7 +84,7 @@ sealed class RosbridgeServer(
         {
             counters.Leave(why);
             if (why is not (Closure.ByPeer or Closure.Stopped))
-                log(RequestMessages.Closed(why));
+                accessControl.Log(context, RequestMessages.Closed(why), role, accessControl.TokenHashOf(context));
         }
     }
 

@@ -7,7 +7,8 @@ namespace Nowpose.Gateway.Security;
 /// <summary>
 /// Admits or rejects requests according to the protocol, and sends the error responses. All routes of a gateway share one instance.
 /// </summary>
-sealed class AccessControl(GatewayOptions options, WrongTokens wrong, ConnectionCounters counters, Action<string> log)
+/// <param name="log">Receives each line and its kind, which has a rate limit of its own.</param>
+sealed class AccessControl(GatewayOptions options, WrongTokens wrong, ConnectionCounters counters, Action<string, string> log)
 {
     public BrowserSessions Sessions { get; } = new(options.Time);
 
@@ -60,6 +61,15 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
     /// <inheritdoc cref="AccessRule.IsOwnHost"/>
     public bool IsOwnHost(HttpContext context) => Rule.IsOwnHost(context);
 
+    /// <summary>Logs what a client did or why it was refused, with its address, role and token.</summary>
+    /// <param name="line">The line, without text from the client.</param>
+    public void Log(HttpContext context, string line) => Log(context, line, Rule.RoleOf(context), TokenHashOf(context));
+
+    /// <inheritdoc cref="Log(HttpContext, string)"/>
+    /// <param name="hash">Hash of the client's token; null if it has none.</param>
+    public void Log(HttpContext context, string line, Role? role, byte[] hash) =>
+        log(AccessMessages.By(line, context.Connection.RemoteIpAddress, role, hash), line);
+
     /// <summary>Responds with one line of text and ends the connection.</summary>
     public static Task AnswerAsync(HttpContext context, int status, string text)
     {
@@ -106,7 +116,7 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
 
         var blocked = wrong.BlockedFor(address);
         counters.Count(Closure.Token);
-        log(AccessMessages.TooManyWrongLog);
+        Log(context, AccessMessages.TooManyWrongLog);
         // Waits even if the client disconnects, so that its connection counts as pending in the meantime.
         await Task.Delay(options.WrongTokenDelay, options.Time);
         // Responds with 401 instead of 429, so that a client can always report that its token is wrong.
@@ -117,7 +127,7 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
     Task RefuseAsync(HttpContext context, int status, Closure why, string text)
     {
         counters.Count(why);
-        log(AccessMessages.Refused(why));
+        Log(context, AccessMessages.Refused(why));
         if (status == StatusCodes.Status401Unauthorized)
             context.Response.Headers.WWWAuthenticate = "Bearer";
         return AnswerAsync(context, status, text);

@@ -18,7 +18,6 @@ sealed class ServedSyncConnection
     readonly IControlClock _clock;
     readonly AccessWatch _access;
     readonly WrongTokens _wrong;
-    readonly IPAddress _address;
     readonly PendingConnection _pending;
     readonly object _delay = new();
     readonly Action<ServedSyncConnection, Closure, Exception> _ended;
@@ -48,13 +47,21 @@ sealed class ServedSyncConnection
         _clock = clock;
         _access = access;
         _wrong = wrong;
-        _address = pending.Address;
+        Address = pending.Address;
         _pending = pending;
         _ended = ended;
         _isAccepted = !options.AsksForTokens;
         _rate = new RequestRate(options.SyncRequestsPerSecond);
         _thread = new Thread(Run) { IsBackground = true, Name = "sync connection", Priority = ThreadPriority.AboveNormal };
     }
+
+    public IPAddress Address { get; }
+
+    /// <summary>Role of the accepted token; null without one.</summary>
+    public Role? Role { get; private set; }
+
+    /// <summary>Hash of the newest token; null if the client has sent none.</summary>
+    public byte[] TokenHash { get; private set; }
 
     public void Start() => _thread.Start();
 
@@ -178,12 +185,13 @@ sealed class ServedSyncConnection
         var text = new byte[count];
         if (!TryFill(stream, text) || !SyncToken.TryReadText(text, out var token))
             return false;
-        var hash = TokenList.HashOf(token);
+        var hash = TokenHash = TokenList.HashOf(token);
         var role = _options.RoleOf(hash);
         var isValid = role != null || !_options.AsksForTokens;
         if (role != null)
         {
             _isAccepted = true;
+            Role = role;
             _watched?.Dispose();
             _watched = _access.Watch(hash, role.Value, Stop);
         }
@@ -198,7 +206,7 @@ sealed class ServedSyncConnection
     // Delays the response to a wrong token. The response to a valid token is not delayed, even if its address has sent many wrong tokens.
     void SlowDown()
     {
-        if (!_wrong.Count(_address)) return;
+        if (!_wrong.Count(Address)) return;
         lock (_delay)
             if (Volatile.Read(ref _stopped) == NotStopped && !_isOverdue) Monitor.Wait(_delay, _options.WrongTokenDelay);
     }

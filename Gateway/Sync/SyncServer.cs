@@ -18,7 +18,7 @@ sealed class SyncServer : IDisposable
     readonly GatewayOptions _options;
     readonly IControlClock _clock;
     readonly AccessWatch _access;
-    readonly Action<string> _log;
+    readonly Action<string, string> _log;
     readonly Action<ServedSyncConnection> _startConnection;
     readonly TcpListener _listener;
     readonly Func<TcpListener, Task<Socket>> _accept;
@@ -28,10 +28,11 @@ sealed class SyncServer : IDisposable
     readonly Task _accepting;
     bool _isStopped;
 
+    /// <param name="log">Receives each line and its kind, which has a rate limit of its own.</param>
     /// <param name="startConnection">Starts the thread of a connection; null to call <see cref="ServedSyncConnection.Start"/>.</param>
     /// <param name="accept">Accepts the next connection; null to accept from the listener.</param>
     public SyncServer(
-        GatewayOptions options, IControlClock clock, AccessWatch access, WrongTokens wrong, Action<string> log,
+        GatewayOptions options, IControlClock clock, AccessWatch access, WrongTokens wrong, Action<string, string> log,
         Action<ServedSyncConnection> startConnection = null, Func<TcpListener, Task<Socket>> accept = null)
     {
         _options = options;
@@ -85,7 +86,7 @@ sealed class SyncServer : IDisposable
                 if (Volatile.Read(ref _isStopped))
                     return;
                 Counters.CountFailure(e);
-                _log(SyncServerMessages.NotAccepted(e.GetType().Name, e.Message));
+                _log(SyncServerMessages.NotAccepted(e.GetType().Name, e.Message), SyncServerMessages.NotAccepted(e.GetType().Name, ""));
                 // Pauses, because accepting may fail repeatedly, for example until a file descriptor is free.
                 await Task.Delay(PauseAfterAFailedAccept);
             }
@@ -96,7 +97,8 @@ sealed class SyncServer : IDisposable
     {
         if (!HasPlace())
         {
-            _log(SyncServerMessages.Refused(_options.MaxConnections));
+            var refused = SyncServerMessages.Refused(_options.MaxConnections);
+            _log(AccessMessages.By(refused, (RemoteOf(socket) as IPEndPoint)?.Address, null, null), refused);
             socket.Dispose();
             return;
         }
@@ -157,6 +159,9 @@ sealed class SyncServer : IDisposable
             if (!_connections.Remove(connection)) return;
         Counters.Leave(why);
         if (why is not (Closure.ByPeer or Closure.Stopped))
-            _log(SyncServerMessages.Closed(why, why == Closure.Failure ? cause : null));
+            _log(
+                AccessMessages.By(
+                    SyncServerMessages.Closed(why, why == Closure.Failure ? cause : null), connection.Address, connection.Role, connection.TokenHash),
+                SyncServerMessages.ClosedFor(why));
     }
 }

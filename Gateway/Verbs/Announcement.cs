@@ -62,6 +62,11 @@ static class Announcement
         Line("state", "serving");
     }
 
+    /// <summary>Writes one short line to stderr, with its time unless journald adds it.</summary>
+    public static void LogWithTime(string line) => Log(
+        Environment.GetEnvironmentVariable("JOURNAL_STREAM") == null
+            ? DateTime.UtcNow.ToString("yyyy-MM-dd'T'HH:mm:ss.fff'Z '", CultureInfo.InvariantCulture) + line : line);
+
     /// <summary>Writes one short line to stderr.</summary>
     public static void Log(string line) => Console.Error.WriteLine(line);
 

@@ -55,7 +55,7 @@ static class PlantCommand
             if (WarningOf(motion) is { } warning) Announcement.Log(DryRunMessages.WarningLog(warning));
             var clock = server.Clock(parsed);
             await using var gateway = await GatewayServer.StartAsync(
-                options with { ControlClock = PlantClocks.Own }, clock, Announcement.Log, stop);
+                options with { ControlClock = PlantClocks.Own }, clock, Announcement.LogWithTime, stop);
             // A recorded motion does not contain the moves in which the gripper closes and opens.
             var motions = motion is PickAndPlaceMotion moves
                 ? new CellMotion(new CellWork(robot, moves, plant.Robots(parsed))) : new CellMotion(motion);

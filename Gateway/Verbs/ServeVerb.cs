@@ -68,7 +68,7 @@ static class ServeVerb
             if (PlantFile.MissingJoints(read, description) is { Count: > 0 } missing) Announcement.Log(DryRunMessages.MissingJointsLog(missing));
             if (PlantFile.MissingParents(read, description, placed) is { Count: > 0 } parents)
                 Announcement.Log(DryRunMessages.MissingParentsLog(parents));
-            await using var gateway = await GatewayServer.StartAsync(options, clock, Announcement.Log, stop);
+            await using var gateway = await GatewayServer.StartAsync(options, clock, Announcement.LogWithTime, stop);
             using var source = gateway.Hub.OpenSource();
             if (description != null)
                 source.TryDescribe(description);

@@ -148,7 +148,7 @@ sealed class ServerArguments(ConfiguredArguments configured)
             HostNames = parsed.GetValue(_hostNames),
             Certificate = Certificate(parsed),
             CertificateFile = CertificateFile(parsed),
-            Tokens = tokens == null ? TokenList.None : TokenList.Read(tokens, Announcement.Log),
+            Tokens = tokens == null ? TokenList.None : TokenList.Read(tokens, Announcement.LogWithTime),
             Headsets = Headsets(parsed),
             Cell = parsed.GetValue(_cell),
             Recordings = Recordings(parsed),
@@ -160,7 +160,7 @@ sealed class ServerArguments(ConfiguredArguments configured)
     HeadsetList Headsets(ParseResult parsed)
     {
         CheckPairing(parsed);
-        return parsed.GetValue(_pairing) is { } path ? new HeadsetList(path, log: Announcement.Log) : null;
+        return parsed.GetValue(_pairing) is { } path ? new HeadsetList(path, log: Announcement.LogWithTime) : null;
     }
 
     void CheckPairing(ParseResult parsed)
@@ -218,7 +218,7 @@ sealed class ServerArguments(ConfiguredArguments configured)
     }
 
     CertificateFile CertificateFile(ParseResult parsed) => parsed.GetValue(_certificate) is { } path
-        ? new CertificateFile(path, parsed.GetValue(_key), Announcement.Log) : null;
+        ? new CertificateFile(path, parsed.GetValue(_key), Announcement.LogWithTime) : null;
 
     static IPAddress ParseAddress(ArgumentResult result)
     {

@@ -57,7 +57,7 @@ public sealed class PairingPageTests
         using var folder = new TemporaryFile("");
         var options = Gateways.Options() with { Headsets = new HeadsetList(folder.Path), Tokens = Gateways.Tokens };
         var counters = new ConnectionCounters();
-        var routes = new PairingRoutes(options, new AccessControl(options, new WrongTokens(options.Time), counters, _ => { }), counters, _ => { }, html: null);
+        var routes = new PairingRoutes(options, new AccessControl(options, new WrongTokens(options.Time), counters, (_, _) => { }), counters, _ => { }, html: null);
         var context = new DefaultHttpContext { Response = { Body = new MemoryStream() } };
         context.Request.Method = "POST";
         if (token != null) context.Request.Headers.Authorization = "Bearer " + token;

@@ -89,7 +89,7 @@ public class SyncServerTests
         var clock = new StopwatchControlClock(Gateways.Start);
         var options = Gateways.Options() with { MaxConnections = 1 };
         using var access = new AccessWatch(options, log.Enqueue);
-        using var server = new SyncServer(options, clock, access, new WrongTokens(TimeProvider.System), log.Enqueue, Start);
+        using var server = new SyncServer(options, clock, access, new WrongTokens(TimeProvider.System), (line, _) => log.Enqueue(line), Start);
         using var first = await RawSyncClient.ConnectAsync(server.EndPoint);
         Assert.That(await first.ReceiveAsync(), Is.Null);
         using var second = await RawSyncClient.ConnectAsync(server.EndPoint);
@@ -107,7 +107,7 @@ public class SyncServerTests
         var log = new ConcurrentQueue<string>();
         using var access = new AccessWatch(Gateways.Options(), log.Enqueue);
         using var server = new SyncServer(
-            Gateways.Options(), new StopwatchControlClock(Gateways.Start), access, new WrongTokens(TimeProvider.System), log.Enqueue,
+            Gateways.Options(), new StopwatchControlClock(Gateways.Start), access, new WrongTokens(TimeProvider.System), (line, _) => log.Enqueue(line),
             accept: listener => failures.TryDequeue(out var failure) ? throw failure : listener.AcceptSocketAsync());
 
         using var client = await RawSyncClient.ConnectAsync(server.EndPoint);

@@ -64,7 +64,7 @@ public class VlcPageTests
     public async Task Page_NotBuilt_Returns503WithTheRemedyInOneLine()
     {
         var counters = new ConnectionCounters();
-        var accessControl = new AccessControl(Gateways.Options(), new WrongTokens(TimeProvider.System), counters, _ => { });
+        var accessControl = new AccessControl(Gateways.Options(), new WrongTokens(TimeProvider.System), counters, (_, _) => { });
         var page = new VlcPage(Gateways.Options(), new StopwatchControlClock(Gateways.Start), accessControl, counters, _ => { }, html: null);
         var context = new DefaultHttpContext { Request = { Method = "GET", Path = "/vlc" }, Response = { Body = new MemoryStream() } };
 

@@ -127,8 +127,8 @@ public class LimitTests
             }
         }
 
-        Assert.That(log.Count(line => line.Contains("Origin")), Is.EqualTo(RateLimitedLog.LinesAMinute + 1), "one line counts the other lines");
-        Assert.That(log.Last(line => line.Contains("Origin")), Does.Contain("(190 more"));
+        Assert.That(log.Count(line => line.Contains("Origin")), Is.EqualTo(RateLimitedLog.LinesOfAKindAMinute + 1), "one line counts the other lines");
+        Assert.That(log.Last(line => line.Contains("Origin")), Does.Contain("(100 more"));
         Assert.That(gateway.WebSocketConnections[Closure.Origin], Is.EqualTo(200));
     }
 

@@ -1,0 +1,104 @@
+using System.Net;
+using System.Net.Http.Headers;
+using System.Text;
+using Nowpose.Gateway;
+using Nowpose.Gateway.Messages;
+using Nowpose.Gateway.Security;
+using Nowpose.Gateway.Status.Events;
+using Nowpose.Headless.Tests.Gateway.Status.Faults;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway.Security;
+
+/// <summary>Tests of the log lines that show who did what, and that clients cannot suppress them.</summary>
+public sealed class SecurityLogTests
+{
+    static readonly string OperatorId = Id(Gateways.OperatorToken);
+
+    readonly HttpClient _http = new(new SocketsHttpHandler { UseCookies = false });
+    MonitoredGateway _gateway;
+    string _folder;
+
+    [SetUp]
+    public async Task SetUpAsync()
+    {
+        _folder = Directory.CreateTempSubdirectory("nowpose-log-").FullName;
+        _gateway = new MonitoredGateway();
+        await _gateway.StartAsync(options => options with { Tokens = Gateways.Tokens, Recordings = _folder });
+    }
+
+    [TearDown]
+    public async Task TearDownAsync()
+    {
+        await _gateway.DisposeAsync();
+        Directory.Delete(_folder, true);
+    }
+
+    [OneTimeTearDown]
+    public void OneTimeTearDown() => _http.Dispose();
+
+    [Test]
+    public async Task Log_ManyEventsOfNewHeadsets_ContainsOtherEventsAndRefusals()
+    {
+        for (var i = 0; i < 1000; i++) _gateway.Server.Events.Note(new Condition("headset", $"headset-{i}", "is lost", "", Level.Warning));
+
+        _gateway.Server.Events.Note(new Condition("joint", "a", "is refused", "", Level.Error));
+        await GetAsync("/operations/state", "unknown");
+
+        Assert.That(_gateway.Log, Has.One.Contains("joint a is refused"));
+        Assert.That(_gateway.Log, Has.One.StartsWith(AccessMessages.Refused(Closure.Token)));
+    }
+
+    [Test]
+    public async Task Log_RefusedToken_NamesTheAddressAndTheToken()
+    {
+        await GetAsync("/operations/state", "unknown");
+
+        Assert.That(_gateway.Log, Has.One.EqualTo($"{AccessMessages.Refused(Closure.Token)} from 127.0.0.1 (token {Id("unknown")})"));
+        Assert.That(_gateway.Log, Has.None.Contains("unknown"));
+    }
+
+    [Test]
+    public async Task Log_Login_NamesTheAddressAndTheToken()
+    {
+        await PostAsync("/operations/login", $"{{\"token\":\"{Gateways.OperatorToken}\"}}");
+        await PostAsync("/operations/login", "{\"token\":\"unknown\"}");
+
+        Assert.That(_gateway.Log, Has.One.EqualTo($"{OperationsMessages.LoggedIn} from 127.0.0.1 (operator, token {OperatorId})"));
+        Assert.That(_gateway.Log, Has.One.EqualTo($"{OperationsMessages.UnknownTokenLog} from 127.0.0.1 (token {Id("unknown")})"));
+    }
+
+    [Test]
+    public async Task Log_Recorder_NamesWhoSwitchedItAndWhoDownloaded()
+    {
+        await PostAsync("/operations/recording", "{\"on\":\"true\"}", Gateways.OperatorToken);
+        await PostAsync("/operations/recording", "{\"on\":\"false\"}", Gateways.OperatorToken);
+        var name = Path.GetFileName(Directory.GetFiles(_folder).Single());
+        await GetAsync($"/operations/recordings/{name}", Gateways.OperatorToken);
+
+        var by = $"from 127.0.0.1 (operator, token {OperatorId})";
+        Assert.That(_gateway.Log, Has.One.EqualTo($"{RecorderMessages.Enabled} {by}"));
+        Assert.That(_gateway.Log, Has.One.EqualTo($"{RecorderMessages.Disabled} {by}"));
+        Assert.That(_gateway.Log, Has.One.EqualTo($"{RecorderMessages.Download(name)} {by}"));
+    }
+
+    static string Id(string token) => Convert.ToHexStringLower(TokenList.HashOf(token))[..8];
+
+    async Task GetAsync(string path, string token)
+    {
+        using var request = new HttpRequestMessage(HttpMethod.Get, UriOf(path));
+        request.Headers.Authorization = new AuthenticationHeaderValue("Bearer", token);
+        using var response = await _http.SendAsync(request).Bounded();
+        await response.Content.ReadAsStringAsync().Bounded();
+    }
+
+    async Task PostAsync(string path, string json, string token = null)
+    {
+        using var request = new HttpRequestMessage(HttpMethod.Post, UriOf(path)) { Content = new StringContent(json, Encoding.UTF8, "application/json") };
+        if (token != null) request.Headers.Authorization = new AuthenticationHeaderValue("Bearer", token);
+        using var response = await _http.SendAsync(request).Bounded();
+        await response.Content.ReadAsStringAsync().Bounded();
+    }
+
+    Uri UriOf(string path) => new($"http://127.0.0.1:{_gateway.Server.WebSocketEndPoint.Port}{path}");
+}
