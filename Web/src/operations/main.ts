@@ -83,7 +83,7 @@ async function read(): Promise<void> {
     hidePairing();
   }
   if ('value' in answer) {
-    link.open();
+    link.keep();
     show(answer.value);
   } else lose(isRefused ? operationsMessages.loggedOut : answer.trouble);
 }

@@ -1,5 +1,5 @@
-const FIRST_WAIT_MS = 500;
-const MAX_WAIT_MS = 5000;
+/** Minimum time from the end of a connection, or of an attempt to connect, until the next attempt. */
+const RETRY_MS = 2000;
 
 export const JOINT_STATE = 'sensor_msgs/msg/JointState';
 
@@ -17,13 +17,11 @@ interface Topic {
   take: (text: string) => void;
 }
 
-/** Connection to the rosbridge port of the gateway. It reconnects automatically. The page subscribes to topics and publishes nothing. */
+/** Connection to the rosbridge port of the gateway. The page subscribes to topics and publishes nothing. */
 export class Rosbridge {
   private readonly topics = new Map<string, Topic>();
   private socket: WebSocket | null = null;
-  private wait = FIRST_WAIT_MS;
-  private timer = 0;
-  private isWanted = false;
+  private retryAt = 0;
   private opened = () => {};
   private closed: Date | null = null;
 
@@ -51,40 +49,40 @@ export class Rosbridge {
     this.opened = opened;
   }
 
-  /** Opens the connection unless it is already open or being opened. */
-  open(): void {
-    if (this.isWanted) return;
-    this.isWanted = true;
-    this.wait = FIRST_WAIT_MS;
-    this.connect();
+  /** Opens the connection unless it is open. Called after each response of the gateway: after a failed attempt, Firefox delays the next ones. */
+  keep(): void {
+    if (!this.socket && performance.now() >= this.retryAt) this.connect();
   }
 
-  /** Closes the connection and does not reconnect before `open` is called, because the gateway would refuse the client again. */
+  /** Closes the connection. The next call of `keep` opens another one. */
   close(): void {
-    this.isWanted = false;
-    clearTimeout(this.timer);
     this.socket?.close();
+    this.lose();
+    this.retryAt = 0;
+  }
+
+  private lose(): void {
+    this.socket = null;
+    this.closed ??= new Date();
+    this.retryAt = performance.now() + RETRY_MS;
   }
 
   private connect(): void {
-    if (this.socket) return;
     const socket = (this.socket = new WebSocket(location.origin.replace(/^http/, 'ws') + '/'));
-    socket.addEventListener('open', () => {
-      this.wait = FIRST_WAIT_MS;
+    const listen = <K extends keyof WebSocketEventMap>(kind: K, listener: (event: WebSocketEventMap[K]) => void) =>
+      socket.addEventListener(kind, event => {
+        // A closing handshake can last long after the page has replaced the connection.
+        if (this.socket === socket) listener(event);
+      });
+    listen('open', () => {
       this.closed = null;
       this.opened();
       for (const topic of this.topics.keys()) this.ask(socket, topic);
     });
-    socket.addEventListener('message', ({ data }) => {
+    listen('message', ({ data }) => {
       if (typeof data === 'string') this.take(data);
     });
-    socket.addEventListener('close', () => {
-      this.socket = null;
-      this.closed ??= new Date();
-      if (!this.isWanted) return;
-      this.timer = window.setTimeout(() => this.connect(), this.wait);
-      this.wait = Math.min(MAX_WAIT_MS, 2 * this.wait);
-    });
+    listen('close', () => this.lose());
   }
 
   private ask(socket: WebSocket, topic: string): void {

@@ -6,7 +6,7 @@ import { JOINTS } from '../../fakeGateway.mjs';
 import { messages } from '../../messages.mjs';
 import { becomes, bodiesDrawn, gateway, open, showsToolError, withGraphics } from '../page.mjs';
 
-const { robotMessages } = messages;
+const { operationsMessages, robotMessages } = messages;
 
 describe('the connection for joint positions', () => {
   withGraphics();
@@ -25,6 +25,21 @@ describe('the connection for joint positions', () => {
     gateway.isFull = false;
     await showsToolError(page);
     assert.doesNotMatch(await page.locator('#robot .level').first().textContent(), /connection/);
+  });
+
+  it('is not attempted while the gateway does not respond', async () => {
+    const page = await open();
+    await showsToolError(page);
+
+    gateway.isFull = gateway.isSilent = true;
+    gateway.hangUp();
+    await becomes(page, '#status', operationsMessages.noState);
+    for (let i = 0; i < 5; i++) await page.waitForEvent('requestfailed');
+    assert.equal(gateway.connects, 1);
+
+    gateway.isFull = gateway.isSilent = false;
+    await showsToolError(page);
+    assert.equal(gateway.connects, 2);
   });
 
   it('is opened again without the robot if the gateway restarts without it', async () => {
