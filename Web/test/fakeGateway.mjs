@@ -147,6 +147,12 @@ export class FakeGateway {
     this.server.removeAllListeners('request').removeAllListeners('upgrade').closeAllConnections();
   }
 
+  /** Neither sends nor receives on the present WebSockets and leaves them open, like a network that has lost the end of a connection. */
+  loseSockets() {
+    for (const socket of this.sockets.keys()) socket.removeAllListeners('data');
+    this.sockets.clear();
+  }
+
   /** Closes all WebSockets, like a gateway that restarts. */
   hangUp() {
     for (const socket of this.sockets.keys()) socket.destroy();
@@ -226,6 +232,8 @@ export class FakeGateway {
   }
 
   hear(socket, { op, topic, ...options }) {
+    if (op === 'call_service')
+      return socket.write(frame(JSON.stringify({ op: 'service_response', service: options.service, values: {}, result: true })));
     if (op === 'unsubscribe') return this.sockets.get(socket).delete(topic);
     if (op !== 'subscribe') throw new Error(`the page ${op}s`);
     this.sockets.get(socket).add(topic);

@@ -1,6 +1,9 @@
 /** Minimum time from the end of a connection, or of an attempt to connect, until the next attempt. */
 const RETRY_MS = 2000;
 
+/** Time without any message after a call, after which the connection counts as lost. The gateway's limit for a pong is the same. */
+const MAX_SILENCE_MS = 6000;
+
 export const JOINT_STATE = 'sensor_msgs/msg/JointState';
 
 /** Joint positions at a control time in seconds. */
@@ -22,6 +25,8 @@ export class Rosbridge {
   private readonly topics = new Map<string, Topic>();
   private socket: WebSocket | null = null;
   private retryAt = 0;
+  /** Time of the first call after the newest message; null if there is none. */
+  private calledAt: number | null = null;
   private opened = () => {};
   private closed: Date | null = null;
 
@@ -49,20 +54,32 @@ export class Rosbridge {
     this.opened = opened;
   }
 
-  /** Opens the connection unless it is open. Called after each response of the gateway: after a failed attempt, Firefox delays the next ones. */
+  /**
+   * Opens the connection, or checks it: after an outage of the network, a browser reports a loss late or never. Called after each response of the
+   * gateway, because Firefox delays attempts to connect after one that failed.
+   */
   keep(): void {
-    if (!this.socket && performance.now() >= this.retryAt) this.connect();
+    const now = performance.now();
+    if (!this.socket) {
+      if (now >= this.retryAt) this.connect();
+    } else if (this.calledAt !== null) {
+      if (now - this.calledAt > MAX_SILENCE_MS) this.lose();
+    } else if (this.socket.readyState === WebSocket.OPEN) {
+      this.socket.send(JSON.stringify({ op: 'call_service', service: '/rosapi/get_time' }));
+      this.calledAt = now;
+    }
   }
 
   /** Closes the connection. The next call of `keep` opens another one. */
   close(): void {
-    this.socket?.close();
-    this.lose();
+    if (this.socket) this.lose();
     this.retryAt = 0;
   }
 
   private lose(): void {
-    this.socket = null;
+    const lost = this.socket;
+    this.socket = this.calledAt = null;
+    lost?.close();
     this.closed ??= new Date();
     this.retryAt = performance.now() + RETRY_MS;
   }
@@ -71,7 +88,7 @@ export class Rosbridge {
     const socket = (this.socket = new WebSocket(location.origin.replace(/^http/, 'ws') + '/'));
     const listen = <K extends keyof WebSocketEventMap>(kind: K, listener: (event: WebSocketEventMap[K]) => void) =>
       socket.addEventListener(kind, event => {
-        // A closing handshake can last long after the page has replaced the connection.
+        // A connection that was dropped can still receive messages, and its loss can be reported late.
         if (this.socket === socket) listener(event);
       });
     listen('open', () => {
@@ -80,6 +97,7 @@ export class Rosbridge {
       for (const topic of this.topics.keys()) this.ask(socket, topic);
     });
     listen('message', ({ data }) => {
+      this.calledAt = null;
       if (typeof data === 'string') this.take(data);
     });
     listen('close', () => this.lose());

@@ -4,7 +4,7 @@ import { describe, it } from 'node:test';
 import { drawn } from '../../drawn.mjs';
 import { JOINTS } from '../../fakeGateway.mjs';
 import { messages } from '../../messages.mjs';
-import { becomes, bodiesDrawn, gateway, open, showsToolError, withGraphics } from '../page.mjs';
+import { becomes, bodiesDrawn, gateway, nextState, open, showsToolError, withGraphics } from '../page.mjs';
 
 const { operationsMessages, robotMessages } = messages;
 
@@ -25,6 +25,38 @@ describe('the connection for joint positions', () => {
     gateway.isFull = false;
     await showsToolError(page);
     assert.doesNotMatch(await page.locator('#robot .level').first().textContent(), /connection/);
+  });
+
+  it('is stated to be lost if it is silent, although the browser reports no loss, and is opened again', async () => {
+    gateway.pace = 0;
+    for (const joint of gateway.state.joints) joint.state = 'rest';
+    const page = await open({ hasVirtualTime: true });
+    await showsToolError(page);
+
+    gateway.isFull = true;
+    gateway.loseSockets();
+    for (let i = 0; i < 3; i++) {
+      await nextState(page);
+      await page.clock.fastForward(3000);
+    }
+    await becomes(page, '#robot .level', robotMessages.noConnection('').split('since')[0]);
+    assert.equal(await page.textContent('.apart'), '');
+
+    gateway.isFull = false;
+    await showsToolError(page);
+  });
+
+  it('stays open while it only receives responses', async () => {
+    gateway.turned = null;
+    gateway.sets = [null];
+    const page = await open({ hasVirtualTime: true });
+
+    for (let i = 0; i < 4; i++) {
+      await nextState(page);
+      await page.clock.fastForward(3000);
+    }
+
+    assert.equal(gateway.connects, 1);
   });
 
   it('is not attempted while the gateway does not respond', async () => {
