@@ -41,6 +41,18 @@ const noMeshes = {
   },
 };
 
+// uPlot 1.6.32 creates a number format for navigator.language, which throws an exception if the browser reports an invalid language, such as "C".
+const anyLanguage = {
+  name: 'any-language',
+  setup(build) {
+    build.onLoad({ filter: /uPlot\.esm\.js$/ }, ({ path }) => {
+      const script = readFileSync(path, 'utf8'), contents = script.replace(/(?<=new Intl\.NumberFormat\()[^)]*nav\.language[^)]*/, '');
+      if (contents === script) throw new Error('uPlot no longer uses navigator.language; remove the plugin any-language');
+      return { contents };
+    });
+  },
+};
+
 const { outputFiles } = await build({
   absWorkingDir: web,
   entryPoints: Object.entries(pages).map(([out, entry]) => ({ in: entry, out })),
@@ -52,7 +64,7 @@ const { outputFiles } = await build({
   format: 'iife',
   charset: 'utf8',
   legalComments: 'none',
-  plugins: [noMeshes],
+  plugins: [noMeshes, anyLanguage],
 });
 const licenceText = names => names.map(name => `<!-- Contains ${name}.\n${licences[name].replaceAll('--', '- -')}\n-->`).join('\n');
 // The content security policy of a page allows only the script and the style that were bundled with it.

@@ -17,6 +17,16 @@ describe('the plots of the last two minutes', () => {
     assert.match(second, /410\s*µs[^]*120\s*µs/);
   });
 
+  it('are drawn if the browser reports an invalid language', async () => {
+    const page = await open();
+    await page.addInitScript(() => Object.defineProperty(navigator, 'language', { value: 'C' }));
+
+    await page.reload();
+
+    await becomes(page, '#plots', '82');
+    assert.deepEqual(page.complaints, []);
+  });
+
   it('do not connect the points before and after a time without data', async () => {
     const page = await open({ hasVirtualTime: true });
     await becomes(page, '#plots', '82');
