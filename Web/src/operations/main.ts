@@ -3,6 +3,7 @@ import '../report.css';
 import './operations.css';
 import { byId } from '../dom';
 import { ask } from '../gateway';
+import { gatewayReasons } from '../messages/gateway';
 import { operationsLabels, operationsMessages } from '../messages/operations';
 import { stateLabels } from '../messages/states';
 import { listTerms } from '../terms';
@@ -83,18 +84,28 @@ async function read(): Promise<void> {
     hidePairing();
   }
   if ('value' in answer) {
+    reloadIfUpdated(answer.value);
     link.keep();
-    show(answer.value);
+    try {
+      show(answer.value);
+    } catch (fault) {
+      console.error(fault);
+      lose(gatewayReasons.notUnderstood);
+    }
   } else lose(isRefused ? operationsMessages.loggedOut : answer.trouble);
+}
+
+let version: string | undefined;
+
+// An open page keeps its script while the gateway is replaced by another version, whose responses can differ.
+function reloadIfUpdated(state: State): void {
+  if (version !== undefined && state.version !== version) location.reload();
+  version = state.version;
 }
 
 let seen = '';
 
 function show(state: State): void {
-  seen = new Date().toLocaleTimeString('en-GB');
-  byId('content').classList.remove('stale');
-  setText(byId('trouble'), '');
-  overall.show(state);
   setText(byId('clock'), clockWords(state));
   setText(
     byId('forwarding'),
@@ -131,6 +142,11 @@ function show(state: State): void {
   recorder.show(state);
   recordings.show(state);
   events.show(state.events ?? []);
+  // Last, so that the page does not state OK for a moment if an earlier part throws an exception.
+  overall.show(state);
+  byId('content').classList.remove('stale');
+  setText(byId('trouble'), '');
+  seen = new Date().toLocaleTimeString('en-GB');
 }
 
 // Marks the data on the page as stale, so that they are not mistaken for current data.

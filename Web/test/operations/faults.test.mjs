@@ -4,7 +4,7 @@ import { describe, it } from 'node:test';
 import { messages } from '../messages.mjs';
 import { ago, becomes, cells, gateway, open } from './page.mjs';
 
-const { emptyMessages, captionLabels, clockLabels, levelLabels, operationsLabels, operationsMessages, stateLabels } = messages;
+const { emptyMessages, captionLabels, clockLabels, gatewayReasons, levelLabels, operationsLabels, operationsMessages, stateLabels } = messages;
 
 describe('the operations page with faults', () => {
   const refused = { state: 'refused', since_utc: ago(95), age_s: 95.2, rate_hz: 0, reason: 'status Bad of node ns=2;s=Axis3' };
@@ -216,6 +216,28 @@ describe('the operations page with faults', () => {
     await becomes(page, '#status', levelLabels.unknown);
     assert.ok((await page.title()).startsWith(`${levelLabels.unknown}: Press 3`));
     assert.equal(await page.getAttribute('#status', 'class'), 'level unknown');
+  });
+
+  it('states that it cannot show a response, and shows the next one that it can show', async () => {
+    const page = await open();
+    const { joints } = gateway.state;
+
+    gateway.state.joints = [{ ...joints[0], name: null }];
+
+    await becomes(page, '#trouble', operationsMessages.noNewState(gatewayReasons.notUnderstood, ''));
+    await becomes(page, '#status', levelLabels.unknown);
+    gateway.state.joints = joints;
+    await becomes(page, '#status', levelLabels.ok);
+  });
+
+  it('is loaded again if the version of the gateway changes', async () => {
+    const page = await open();
+    const loaded = page.waitForEvent('load');
+
+    gateway.state.version = '0.3.0';
+
+    await loaded;
+    await becomes(page, '#place', operationsLabels.gateway('0.3.0'));
   });
 
   it('does not show OK if the gateway reports no state', async () => {
