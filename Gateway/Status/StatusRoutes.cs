@@ -51,7 +51,10 @@ sealed class StatusRoutes(GatewayStatus status, AccessControl accessControl)
         if (await AdmitAsync(context) is not { } role) return;
         // If no token is required, every client on the gateway's machine is an operator.
         var effective = accessControl.IsOperator(context) ? Role.Operator : role;
-        var state = await _state.GetAsync() with { Role = effective.ToString().ToLowerInvariant() };
+        var state = await _state.GetAsync() with
+        {
+            Role = effective.ToString().ToLowerInvariant(), IsLoggedIn = accessControl.LoginOf(context) != null,
+        };
         await SendAsync(context, "application/json", JsonSerializer.SerializeToUtf8Bytes(state, Snake));
     }
 

@@ -52,6 +52,9 @@ sealed record StatusSnapshot
     /// <summary>Role of the requesting client.</summary>
     public string Role { get; init; }
 
+    /// <summary>Whether the requesting client is a browser that has logged in, so that it can log out.</summary>
+    public bool IsLoggedIn { get; init; }
+
     /// <summary>Expiry of the certificate, after which headsets refuse it; null without TLS.</summary>
     public DateTime? CertificateExpiresUtc { get; init; }
 }

@@ -1,6 +1,7 @@
 using System.Net;
 using System.Net.WebSockets;
 using System.Text;
+using System.Text.Json;
 using NUnit.Framework;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Pairing;
@@ -117,6 +118,23 @@ public sealed class OperationsLoginTests
 
         Assert.That(status, Is.EqualTo(HttpStatusCode.Forbidden));
         Assert.That(logout.StatusCode, Is.EqualTo(HttpStatusCode.Forbidden));
+    }
+
+    [Test]
+    public async Task State_CookieOrBearer_StatesWhetherTheClientIsALoggedInBrowser()
+    {
+        await using var gateway = await Gateways.StartAsync(WithTokens);
+        using var answer = await LoginAsync(gateway, Gateways.ObserverToken);
+
+        Assert.That(await IsLoggedInAsync("Cookie", CookieOf(answer)), Is.True);
+        Assert.That(await IsLoggedInAsync("Authorization", $"Bearer {Gateways.ObserverToken}"), Is.False);
+
+        async Task<bool> IsLoggedInAsync(string header, string value)
+        {
+            using var request = new HttpRequestMessage(HttpMethod.Get, UriOf(gateway, "/operations/state")) { Headers = { { header, value } } };
+            using var state = await _http.SendAsync(request).Bounded();
+            return JsonDocument.Parse(await state.Content.ReadAsStringAsync()).RootElement.GetProperty("is_logged_in").GetBoolean();
+        }
     }
 
     [Test]

@@ -202,7 +202,7 @@ export class FakeGateway {
     if (this.token && !request.headers.cookie?.includes('nowpose=abc'))
       return reply(401, "the bearer token is missing or unknown; send a token of the gateway's token file, or pair again");
     if (this.isSilent) return request.destroy();
-    if (path === '/operations/state') return reply(200, { ...this.state, control_time_s: this.now });
+    if (path === '/operations/state') return reply(200, { ...this.state, control_time_s: this.now, is_logged_in: this.token !== null });
     if (path === '/operations/recordings') return reply(200, this.recordings);
     if (path.startsWith('/operations/recordings/')) return reply(200, 'a recording');
     if (path.startsWith('/operations/events')) return reply(200, 'id,kind');

@@ -1,10 +1,7 @@
 import { byId } from '../dom';
 import { ask } from '../gateway';
 
-// Key that records a login in this browser, because scripts cannot read the cookie.
-const REMEMBERED = 'nowpose-logged-in';
-
-/** The login form, which is shown if the gateway requires a token. */
+/** The login form, which is shown if the gateway requires a token, and the button that logs out. */
 export class Login {
   private readonly form = byId<HTMLFormElement>('login');
   private readonly token = byId<HTMLInputElement>('token-text');
@@ -16,16 +13,18 @@ export class Login {
       void this.logIn(changed);
     });
     byId('logout').addEventListener('click', () => void this.logOut(changed));
-    this.remember(this.isRemembered());
   }
 
-  /** @param isNeeded Whether the gateway refused the request. */
-  show(isNeeded: boolean): void {
+  /**
+   * @param isNeeded Whether the gateway refused the request.
+   * @param isLoggedIn Whether this browser has logged in. The gateway reports it, because scripts cannot read the cookie.
+   */
+  show(isNeeded: boolean, isLoggedIn: boolean): void {
+    byId('logout').hidden = !isLoggedIn;
     if (this.form.hidden === !isNeeded) return;
     // Moves the focus before the focused element is hidden. Otherwise, the focus would move to the top of the page.
     if (!isNeeded && this.form.contains(document.activeElement)) byId('content').focus();
     this.form.hidden = !isNeeded;
-    if (isNeeded) this.remember(false);
   }
 
   private async logIn(changed: () => void): Promise<void> {
@@ -34,23 +33,11 @@ export class Login {
     byId('login-fault').textContent = trouble;
     if (trouble) return this.token.select();
     this.token.value = '';
-    this.remember(true);
     changed();
   }
 
   private async logOut(changed: () => void): Promise<void> {
     await ask('/operations/logout', {});
-    this.remember(false);
     changed();
-  }
-
-  private isRemembered(): boolean {
-    return sessionStorage.getItem(REMEMBERED) !== null;
-  }
-
-  private remember(isIn: boolean): void {
-    if (isIn) sessionStorage.setItem(REMEMBERED, '');
-    else sessionStorage.removeItem(REMEMBERED);
-    byId('logout').hidden = !isIn;
   }
 }

@@ -78,7 +78,7 @@ async function read(): Promise<void> {
   // A newer request was sent in the meantime, for example after a login, so this response is obsolete.
   if (own !== asked) return;
   isRefused = 'trouble' in answer && answer.status === 401;
-  login.show(isRefused);
+  login.show(isRefused, 'value' in answer && (answer.value.is_logged_in ?? false));
   if (isRefused) {
     link.close();
     hidePairing();

@@ -24,6 +24,7 @@ export interface State {
   recording?: Recording | null;
   pairs_headsets?: boolean;
   role?: 'observer' | 'source' | 'operator';
+  is_logged_in?: boolean;
 }
 
 export type Level = 'ok' | 'warning' | 'error';

@@ -93,34 +93,6 @@ describe('actions', () => {
     await becomes(page, '#recording', '3 lines are missing. Problem: the disk is full');
   });
 
-  it('log in with a token if the gateway requires one, and then show all data', async () => {
-    gateway.token = 'open-sesame';
-    const page = await open({}, false);
-    await page.waitForSelector('#login', { state: 'visible' });
-
-    assert.equal(gateway.connects, 0, 'no connection without a token');
-    await page.fill('#token-text', 'guess');
-    await page.keyboard.press('Enter');
-    await becomes(page, '#login-fault', 'not a token');
-    await page.fill('#token-text', 'open-sesame');
-    await page.keyboard.press('Enter');
-    await page.waitForSelector('#login', { state: 'hidden' });
-    assert.equal(await page.evaluate(() => document.activeElement.id), 'content');
-    await becomes(page, '.apart', 'left door');
-    gateway.state.cell = 'Press 4';
-    await page.waitForFunction(() => document.querySelector('h1').textContent === 'Press 4');
-
-    assert.ok(await page.locator('#login').isHidden());
-    assert.equal(await page.inputValue('#token-text'), '');
-    assert.ok(!(await page.content()).includes('open-sesame'));
-    await page.click('#show-code');
-    await page.waitForSelector('#token svg');
-    await page.click('#logout');
-    await page.waitForSelector('#login', { state: 'visible' });
-    assert.equal(await page.locator('#token svg').count(), 0, 'the code is secret');
-    assert.ok((await page.textContent('#trouble')).startsWith(operationsMessages.loggedOut));
-  });
-
   it('show and hide the pairing code', async () => {
     const page = await open({ hasVirtualTime: true });
     const requests = [];

@@ -1,0 +1,65 @@
+// Tests the log-in on the operations page.
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { messages } from '../messages.mjs';
+import { becomes, gateway, open } from './page.mjs';
+
+const { operationsMessages, robotMessages } = messages;
+
+describe('the log-in', () => {
+  it('is needed if the gateway requires a token, and then all data are shown', async () => {
+    gateway.token = 'open-sesame';
+    const page = await open({}, false);
+    await page.waitForSelector('#login', { state: 'visible' });
+
+    assert.equal(gateway.connects, 0, 'no connection without a token');
+    await page.fill('#token-text', 'guess');
+    await page.keyboard.press('Enter');
+    await becomes(page, '#login-fault', 'not a token');
+    await page.fill('#token-text', 'open-sesame');
+    await page.keyboard.press('Enter');
+    await page.waitForSelector('#login', { state: 'hidden' });
+    assert.equal(await page.evaluate(() => document.activeElement.id), 'content');
+    await becomes(page, '.apart', 'left door');
+    gateway.state.cell = 'Press 4';
+    await page.waitForFunction(() => document.querySelector('h1').textContent === 'Press 4');
+
+    assert.ok(await page.locator('#login').isHidden());
+    assert.equal(await page.inputValue('#token-text'), '');
+    assert.ok(!(await page.content()).includes('open-sesame'));
+    await page.click('#show-code');
+    await page.waitForSelector('#token svg');
+    await page.click('#logout');
+    await page.waitForSelector('#login', { state: 'visible' });
+    assert.equal(await page.locator('#token svg').count(), 0, 'the code is secret');
+    assert.ok((await page.textContent('#trouble')).startsWith(operationsMessages.loggedOut));
+  });
+
+  it('is not preceded by a message about the connection for joint positions', async () => {
+    gateway.token = 'open-sesame';
+    const page = await open({ hasVirtualTime: true }, false);
+    await page.waitForSelector('#login', { state: 'visible' });
+
+    await page.clock.runFor(2000);
+
+    assert.equal(await page.textContent('.apart'), robotMessages.noDescription);
+    assert.ok(await page.locator('#robot .level').first().isHidden());
+  });
+
+  it('can be ended in a tab that was opened later, also if the browser blocks its storage', async () => {
+    gateway.token = 'open-sesame';
+    const first = await open({}, false);
+    await first.fill('#token-text', 'open-sesame');
+    await first.keyboard.press('Enter');
+    await first.waitForSelector('#logout', { state: 'visible' });
+
+    const second = await first.context().newPage();
+    await second.addInitScript(() => Object.defineProperty(window, 'sessionStorage', { get: () => { throw new Error('blocked'); } }));
+    await second.goto(gateway.address);
+    await second.click('#logout');
+
+    await second.waitForSelector('#login', { state: 'visible' });
+    await first.waitForSelector('#login', { state: 'visible' });
+    await second.close();
+  });
+});
