@@ -57,6 +57,7 @@ byId('plots').append(plots.element);
 byId('plants').append(plants.element);
 byId('events').append(events.element);
 listTerms(byId('page'));
+byId('starting').remove();
 void poll();
 
 async function poll(): Promise<void> {

@@ -86,3 +86,4 @@ addEventListener('keydown', event => {
 });
 requestAnimationFrame(frame);
 void exchanges.run();
+byId('starting').remove();
