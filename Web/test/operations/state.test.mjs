@@ -170,6 +170,25 @@ describe('the shown state', () => {
     }
   });
 
+  it('is printed completely, without the secret code', async () => {
+    const joint = gateway.state.joints[0];
+    gateway.state.joints = Array.from({ length: 60 }, (_, i) => ({ ...joint, name: `joint_${i}` }));
+    const page = await open();
+    await page.click('#show-code');
+    await page.waitForSelector('#token svg');
+    await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+
+    await page.emulateMedia({ media: 'print' });
+    try {
+      assert.ok(await page.locator('#code').isHidden());
+      const cut = await page.locator('.table:visible').evaluateAll(all => all
+        .filter(box => box.scrollHeight > box.clientHeight || box.scrollWidth > box.clientWidth).map(box => box.getAttribute('aria-label')));
+      assert.deepEqual(cut, []);
+    } finally {
+      await page.emulateMedia({ media: null });
+    }
+  });
+
   it('contains no number for an unknown value', async () => {
     Object.assign(gateway.state.clock, { state: 'unsynchronised', estimated_error_us: null, error_bound_us: null });
     Object.assign(gateway.state.plant_clocks[1], {
