@@ -45,6 +45,7 @@ describe('the message catalogue of the pages', () => {
     assert.match(clockCodeReasons.boundTooLarge(4.24, 3), /4\.2 ms.*3 ms/);
     assert.match(plotDescriptions.latency(398, 60, 175, 80), /398.*60.*175.ms.*80.ms/);
     assert.match(reportMessages.toolError(2.1, 31), /2\.10.mm.*31.mm/);
+    assert.match(robotMessages.noConnection('10:15:00'), /10:15:00.*iPhone.*certificate/);
     assert.match(robotMessages.toolError('left door', 0.05, 31), /left door.*0\.1.mm.*31.mm/);
     assert.match(operationsMessages.noNewState('the gateway does not respond', '10:15:00'), /respond\. .*10:15:00\.$/);
   });

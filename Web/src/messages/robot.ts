@@ -27,7 +27,8 @@ export const robotMessages = {
   /** @param time Time at which the connection was lost. */
   noConnection: (time: string) =>
     `This page has had no connection for joint positions since ${time}, so no robot is drawn. The page connects again by itself. `
-    + 'If it does not, look for an alarm about the maximum number of connections, and check the network.',
+    + 'If it does not, look for an alarm about the maximum number of connections, and check the network. '
+    + 'An iPad or iPhone must also trust the certificate of the gateway.',
   baseUnknown: 'The robot is not drawn, because the pose of its base is not known.',
   noHeadset: 'No headset is shown.',
   toolUnknown: 'The position of the tool is not known, because the position of a joint is not known.',
