@@ -29,6 +29,9 @@ const POLL_MS = 500;
 /** Polling interval while the gateway requires a login. It is long because the gateway refuses, counts and logs each request. */
 const REFUSED_POLL_MS = 10_000;
 
+/** Time since the newest response after which the shown state is no longer current. */
+const MAX_AGE_MS = 3000;
+
 const link = new Rosbridge();
 const robot = new RobotPanel(link, matchMedia('(prefers-reduced-motion: reduce)').matches);
 const plots = new Plots();
@@ -59,6 +62,11 @@ byId('events').append(events.element);
 listTerms(byId('page'));
 byId('starting').remove();
 void poll();
+setInterval(markOld, POLL_MS);
+document.addEventListener('visibilitychange', () => {
+  markOld();
+  wake();
+});
 
 async function poll(): Promise<void> {
   for (;;) {
@@ -72,12 +80,14 @@ async function poll(): Promise<void> {
 }
 
 let asked = 0;
+let answeredAt = Date.now();
 
 async function read(): Promise<void> {
   const own = ++asked;
   const answer = await ask<State>('/operations/state');
   // A newer request was sent in the meantime, for example after a login, so this response is obsolete.
   if (own !== asked) return;
+  answeredAt = Date.now();
   isRefused = 'trouble' in answer && answer.status === 401;
   login.show(isRefused, 'value' in answer && (answer.value.is_logged_in ?? false));
   if (isRefused) {
@@ -148,6 +158,11 @@ function show(state: State): void {
   byId('content').classList.remove('stale');
   setText(byId('trouble'), '');
   seen = new Date().toLocaleTimeString('en-GB');
+}
+
+// While a computer sleeps or a browser keeps the page in the background, timers wait and the page requests no state.
+function markOld(): void {
+  if (!isRefused && Date.now() - answeredAt > MAX_AGE_MS) lose(gatewayReasons.noAnswer);
 }
 
 // Marks the data on the page as stale, so that they are not mistaken for current data.

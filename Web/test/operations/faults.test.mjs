@@ -1,8 +1,9 @@
 // Tests how the operations page shows faults.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
+import { drawn } from '../drawn.mjs';
 import { messages } from '../messages.mjs';
-import { ago, becomes, cells, gateway, open } from './page.mjs';
+import { ago, becomes, cells, gateway, nextState, open } from './page.mjs';
 
 const { emptyMessages, captionLabels, clockLabels, gatewayReasons, levelLabels, operationsLabels, operationsMessages, stateLabels } = messages;
 
@@ -71,6 +72,29 @@ describe('the operations page with faults', () => {
     assert.match(await page.locator('#alarms li').first().evaluate(alarm => getComputedStyle(alarm).filter), /grayscale/);
     gateway.isSilent = false;
     await page.waitForSelector('#alarms:not(.stale)');
+  });
+
+  it('does not show OK after a sleep until the gateway responds', async () => {
+    const page = await open({ hasVirtualTime: true });
+    await page.route('**/operations/state', () => {});
+    await nextState(page, 1);
+
+    // Less than the 4 s that the page waits for a response.
+    await page.clock.fastForward(3500);
+
+    assert.equal(await page.textContent('#status'), operationsMessages.noState);
+  });
+
+  it('requests the state at once when it becomes visible', async () => {
+    const page = await open({ hasVirtualTime: true });
+    // The timers wait from now on.
+    await page.clock.pauseAt(await page.evaluate(() => Date.now() + 100));
+    let count = 0;
+    page.on('request', () => count++);
+
+    const show = () => page.evaluate(() => document.dispatchEvent(new Event('visibilitychange')));
+
+    assert.ok(await drawn(async () => (await show(), count), requests => requests > 2));
   });
 
   it('shows the gateway\'s text of a fault', async () => {

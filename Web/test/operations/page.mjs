@@ -43,9 +43,9 @@ export async function open({ viewport = { width: 1280, height: 720 }, graphics =
 }
 
 /** Waits until the page has shown a state that it requested after this call. */
-export async function nextState(page) {
+export async function nextState(page, count = 3) {
   // The page sends a request only after it has shown the response to the previous one. The first request may have been sent before this call.
-  for (let i = 0; i < 3; i++) await page.waitForRequest(/\/state$/);
+  for (let i = 0; i < count; i++) await page.waitForRequest(/\/state$/);
 }
 
 /** Returns the time some seconds ago as the gateway writes it. */
