@@ -66,6 +66,8 @@ export class LivePlot {
 
   add(time: number, values: (number | null)[]): void {
     const last = this.times[this.times.length - 1];
+    // The clock of the browser was set back.
+    if (time < last) this.clear();
     if (time - last > MAX_GAP_S)
       this.append(
         (last + time) / 2,

@@ -147,7 +147,8 @@ function show(state: State): void {
   robot.choose(chosen);
   setText(byId('plots-title'), operationsLabels.plots(headsets.chosen, chosen !== null));
   budget.show(shown);
-  plots.add(performance.now() / 1000, state, chosen);
+  // Not performance.now(), which does not advance in all browsers while the computer sleeps.
+  plots.add(Date.now() / 1000, state, chosen);
   plants.show(state);
   cell.show(state);
   recorder.show(state);

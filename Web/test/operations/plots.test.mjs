@@ -27,18 +27,37 @@ describe('the plots of the last two minutes', () => {
     assert.deepEqual(page.complaints, []);
   });
 
-  it('do not connect the points before and after a time without data', async () => {
+  const pauses = {
+    // A browser runs the timers of a page in the background rarely.
+    'in the background': page => page.clock.fastForward(60_000),
+    // Does not change performance.now().
+    'in which the computer sleeps': async page => page.clock.setSystemTime(await page.evaluate(() => Date.now() + 60_000)),
+  };
+  for (const [name, pause] of Object.entries(pauses))
+    it(`do not connect the points before and after a time ${name}`, async () => {
+      const page = await open({ hasVirtualTime: true });
+      await becomes(page, '#plots', '82');
+
+      await pause(page);
+      await nextState(page);
+      const plot = page.locator('#plots .u-over').first(), { width, height } = await plot.boundingBox();
+      await plot.hover({ position: { x: 0.75 * width, y: height / 2 } });
+
+      assert.match(await page.locator('#plots .legend .position').first().innerText(), /[23]\d/);
+      assert.deepEqual(await page.locator('#plots .legend').first().locator('.value').allInnerTexts(), ['–', '–', '–']);
+    });
+
+  it('begin again if the clock of the browser is set back', async () => {
     const page = await open({ hasVirtualTime: true });
     await becomes(page, '#plots', '82');
 
-    // A browser runs the timers of a page in the background rarely.
-    await page.clock.fastForward(60_000);
-    await nextState(page);
-    const plot = page.locator('#plots .u-over').first(), { width, height } = await plot.boundingBox();
-    await plot.hover({ position: { x: 0.75 * width, y: height / 2 } });
+    await page.clock.setSystemTime(await page.evaluate(() => Date.now() - 3_600_000));
+    gateway.state.headsets[0].l_app_ms = 85;
+    await becomes(page, '#plots', '85');
 
-    assert.match(await page.locator('#plots .legend .position').first().innerText(), /[23]\d/);
-    assert.deepEqual(await page.locator('#plots .legend').first().locator('.value').allInnerTexts(), ['–', '–', '–']);
+    const plot = page.locator('#plots .u-over').first(), { width, height } = await plot.boundingBox();
+    await plot.hover({ position: { x: 1, y: height / 2 } });
+    assert.match(await page.locator('#plots .legend').first().innerText(), /85/);
   });
 
   it('have no points of a headset that is silent', async () => {
