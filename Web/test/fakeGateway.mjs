@@ -4,7 +4,8 @@ import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { once } from 'node:events';
 
-const page = readFileSync(new URL('../dist/operations.html', import.meta.url));
+const html = name => readFileSync(new URL(`../dist/${name}.html`, import.meta.url));
+const pages = { '/operations': html('operations'), '/pair': html('pairing') };
 const urdf = readFileSync(new URL('../../Packages/com.nowpose.mril/Runtime/Robots/youbot.urdf', import.meta.url), 'utf8');
 export const JOINTS = [1, 2, 3, 4, 5].map(i => `arm_joint_${i}`);
 
@@ -193,7 +194,7 @@ export class FakeGateway {
       response.writeHead(status, { 'Content-Type': isText ? 'text/plain' : 'application/json' });
       response.end(isText ? value : JSON.stringify(value));
     };
-    if (path === '/operations') return response.writeHead(200, { 'Content-Type': 'text/html' }).end(page);
+    if (pages[path]) return response.writeHead(200, { 'Content-Type': 'text/html' }).end(pages[path]);
     if (path === '/operations/login') {
       if (post.token !== this.token) return reply(401, 'not a token of this gateway');
       response.setHeader('Set-Cookie', 'nowpose=abc; Path=/; HttpOnly; SameSite=Strict');
@@ -216,6 +217,8 @@ export class FakeGateway {
     }
     if (path === '/pair/code') await this.codeIsLate;
     if (path === '/pair/code') return reply(200, { text: 'nowpose:token/1?t=AAAAAAAAAAAAAAAAAAAAAA&x=1', left_s: 290, key: 'AB' });
+    if (path === '/pair/cell' && 'begin' in post) return reply(200, { name: 'Press 3', hosts: ['cell-pc'], has_pin: false });
+    if (path === '/pair/cell') return reply(200, { text: 'nowpose:cell/1' });
     return reply(404, 'nothing');
   }
 

@@ -221,6 +221,22 @@ describe('the page of the control clock\'s code', () => {
     await unsynchronised(page, clockCodeReasons.controlClock);
   });
 
+  it('does not repeat the reason why it shows no code for screen readers', async () => {
+    gateway = Object.assign(new ClockGateway(), { isSynchronised: false });
+    const page = await open(await gateway.start());
+    await unsynchronised(page, clockCodeReasons.controlClock);
+
+    const changes = await page.evaluate(async () => {
+      let count = 0;
+      const watch = new MutationObserver(all => { count += all.length; });
+      watch.observe(document.getElementById('warning'), { childList: true, characterData: true, subtree: true });
+      for (let frame = 0; frame < 5; frame++) await new Promise(requestAnimationFrame);
+      return count;
+    });
+
+    assert.equal(changes, 0);
+  });
+
   it('asks for the gateway\'s token and does not keep it in address or storage', async () => {
     gateway = Object.assign(new ClockGateway(), { token: 'sesame' });
     const page = await open(await gateway.start(), { hasVirtualTime: true });

@@ -1,4 +1,4 @@
-import { el } from '../dom';
+import { el, setText } from '../dom';
 import { scrollable } from '../tables';
 import { columnLabels, meanings } from '../messages/terms';
 import { term } from '../terms';
@@ -83,9 +83,4 @@ export class LiveTable<T> {
     const note = el('tr', { class: 'note', hidden: true }, el('td', { colspan: 1 + cells.length }, el('p')));
     return { body: el('tbody', {}, el('tr', {}, el('th', { scope: 'row' }, this.head(key)), ...cells), note), cells, note };
   }
-}
-
-/** Sets the text only if it has changed, so that screen readers do not repeat it. */
-export function setText(element: Element, text: string): void {
-  if (element.textContent !== text) element.textContent = text;
 }

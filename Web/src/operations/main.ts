@@ -1,7 +1,7 @@
 import 'uplot/dist/uPlot.min.css';
 import '../report.css';
 import './operations.css';
-import { byId } from '../dom';
+import { byId, setText } from '../dom';
 import { ask } from '../gateway';
 import { gatewayReasons } from '../messages/gateway';
 import { operationsLabels, operationsMessages } from '../messages/operations';
@@ -11,7 +11,6 @@ import { Budget } from './budget';
 import { Cell } from './cell';
 import { Events } from './events';
 import { Headsets } from './headsets';
-import { setText } from './liveTable';
 import { Login } from './login';
 import { Overall } from './overall';
 import { startPairing } from './pairing';

@@ -1,7 +1,6 @@
-import { byId, el } from '../dom';
+import { byId, el, setText } from '../dom';
 import { operationsLabels, operationsMessages } from '../messages/operations';
 import { levelLabels } from '../messages/states';
-import { setText } from './liveTable';
 import type { Level, State, StatusEvent } from './state';
 import { localTime, zone } from './times';
 

@@ -1,8 +1,7 @@
-import { byId } from '../dom';
+import { byId, setText } from '../dom';
 import { ask } from '../gateway';
 import { operationsMessages, recorderLabels } from '../messages/operations';
 import { format } from '../numbers';
-import { setText } from './liveTable';
 import type { Recording, State } from './state';
 
 /** Starts and stops the recorder, and shows its state. */

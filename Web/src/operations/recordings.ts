@@ -1,9 +1,9 @@
-import { byId, el } from '../dom';
+import { byId, el, setText } from '../dom';
 import { ask } from '../gateway';
 import { emptyMessages, operationsMessages, recorderLabels } from '../messages/operations';
 import { captionLabels, columnLabels } from '../messages/terms';
 import { format } from '../numbers';
-import { LiveTable, setText } from './liveTable';
+import { LiveTable } from './liveTable';
 import type { State, StatusEvent, StoredRecording } from './state';
 import { localTime } from './times';
 

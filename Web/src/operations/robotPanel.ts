@@ -1,11 +1,10 @@
 import type { Matrix4 } from 'three';
-import { el } from '../dom';
+import { el, setText } from '../dom';
 import { jointReasons, robotDescriptions, robotMessages } from '../messages/robot';
 import type { Bodies, Poses } from '../robot/bodies';
 import { Frames } from '../robot/frames';
 import { JointTracks } from '../robot/tracks';
 import { RobotView } from '../robot/view';
-import { setText } from './liveTable';
 import { LiveClock } from './liveClock';
 import { OtherRobots } from './otherRobots';
 import { JOINT_STATE, readJointState, type Rosbridge } from './rosbridge';

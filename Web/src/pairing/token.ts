@@ -1,4 +1,4 @@
-import { byId } from '../dom';
+import { byId, setText } from '../dom';
 import { ask } from '../gateway';
 import { pairingLabels } from '../messages/codes';
 import { draw } from './drawing';
@@ -63,5 +63,6 @@ function tick(): void {
   // Fades a code that may be invalid.
   byId('token').classList.toggle('gone', trouble !== '' || left === 0);
   const clock = `${Math.floor(left / 60)}:${String(left % 60).padStart(2, '0')}`;
-  byId('left').textContent = trouble || pairingLabels.validFor(clock);
+  setText(byId('left'), trouble ? '' : pairingLabels.validFor(clock));
+  setText(byId('code-fault'), trouble);
 }

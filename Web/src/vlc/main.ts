@@ -1,6 +1,6 @@
 import './vlc.css';
 import { controlCells, PERIOD_MS, SIDE } from './code';
-import { byId } from '../dom';
+import { byId, setText } from '../dom';
 import { clockCodeLabels, clockCodeMessages, clockCodeReasons } from '../messages/codes';
 import { Exchanges } from './exchanges';
 import { Monitor } from './monitor';
@@ -35,7 +35,7 @@ function show(why: string | null, ns: bigint, boundMs: number): void {
   warning.hidden = why == null;
   document.body.dataset.state = why == null ? 'synchronised' : 'not synchronised';
   if (why != null) {
-    warning.textContent = clockCodeLabels.notSynchronised(why);
+    setText(warning, clockCodeLabels.notSynchronised(why));
     time.textContent = facts.textContent = '';
     return;
   }
