@@ -1,11 +1,12 @@
 // Tests how users and screen readers use the pairing page, with a fake gateway.
 import assert from 'node:assert/strict';
 import { afterEach, beforeEach, describe, it } from 'node:test';
+import { drawn } from './drawn.mjs';
 import { FakeGateway } from './fakeGateway.mjs';
 import { messages } from './messages.mjs';
 import { browserWith, closeLater } from './pages.mjs';
 
-const { gatewayReasons } = messages;
+const { gatewayReasons, pairingReasons } = messages;
 
 describe('the pairing page', () => {
   let gateway, page;
@@ -32,5 +33,19 @@ describe('the pairing page', () => {
     gateway.isSilent = true;
     await page.waitForFunction(() => document.querySelector('#left').textContent === '');
     assert.deepEqual(await changes(), [gatewayReasons.noAnswer]);
+  });
+
+  it('accepts numbers as phones write them, and names the fields that are not numbers', async () => {
+    const offsets = page.locator('[data-offset]');
+    for (const [i, value] of ['0,25', '\u22120.1', '0', '0', '0', '90'].entries()) await offsets.nth(i).fill(value);
+    await page.fill('#size', '80,5');
+    const newest = () => gateway.posts.findLast(([path]) => path === '/pair/cell')[1];
+    const { offset, size_mm: size } = await drawn(newest, post => post.size_mm === '80.5');
+    assert.deepEqual([offset, size], ['0.25,-0.1,0,0,0,90', '80.5']);
+    assert.deepEqual(await offsets.evaluateAll(all => all.map(field => field.inputMode)), Array(6).fill(''), 'a keyboard with a minus sign');
+
+    await offsets.nth(1).fill('0.1.2');
+
+    await page.waitForFunction(fault => document.querySelector('#fault').textContent === fault, pairingReasons.poseInvalid('y'));
   });
 });

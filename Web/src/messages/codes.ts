@@ -35,5 +35,6 @@ export const pairingLabels = {
 
 /** Reasons why the pairing page draws no marker. */
 export const pairingReasons = {
+  poseInvalid: (fields: string) => `marker in the base frame: enter a number such as -0.25 for ${fields}`,
   poseIncomplete: (empty: string) => `marker in the base frame: enter ${empty}, or leave all six fields empty for a code without a pose`,
 };

@@ -19,11 +19,21 @@ const PAUSE_MS = 250;
 
 const field = (id: string) => byId<HTMLInputElement>(id).value;
 const poseFields = () => [...document.querySelectorAll<HTMLInputElement>('[data-offset]')];
-const isEmpty = (input: HTMLInputElement) => input.value.trim() === '';
+
+/** Number in a field, with a point and a hyphen: the keyboards of phones may offer only a comma and a minus sign. */
+const numberIn = (input: HTMLInputElement) => input.value.trim().replace(',', '.').replace('\u2212', '-');
+const size = () => numberIn(byId<HTMLInputElement>('size'));
+
+/** Returns the names of the pose's fields that meet a condition, as text. */
+const fieldsWith = (condition: (value: string) => boolean) =>
+  poseFields()
+    .filter(input => condition(numberIn(input)))
+    .map(input => input.dataset.offset)
+    .join(', ');
 
 /** Pose of the marker as in its code; empty for a code without a pose. */
 function offset(): string {
-  const values = poseFields().map(input => input.value.trim());
+  const values = poseFields().map(numberIn);
   return values.every(value => value === '') ? '' : values.join(',');
 }
 
@@ -55,11 +65,11 @@ export async function startMarker(): Promise<void> {
 async function make(): Promise<boolean> {
   const own = ++newest;
   if (field('name') === '') return fail('');
-  const empty = poseFields()
-    .filter(isEmpty)
-    .map(input => input.dataset.offset);
-  if (offset() !== '' && empty.length > 0) return fail(pairingReasons.poseIncomplete(empty.join(', ')));
-  const answer = await ask<Marker>('/pair/cell', { name: field('name'), host: field('host'), offset: offset(), size_mm: field('size') });
+  const invalid = fieldsWith(value => !Number.isFinite(Number(value)));
+  if (invalid !== '') return fail(pairingReasons.poseInvalid(invalid));
+  const empty = fieldsWith(value => value === '');
+  if (offset() !== '' && empty !== '') return fail(pairingReasons.poseIncomplete(empty));
+  const answer = await ask<Marker>('/pair/cell', { name: field('name'), host: field('host'), offset: offset(), size_mm: size() });
   // The user has changed the form since this request.
   if (own !== newest) return false;
   if ('trouble' in answer) return fail(answer.trouble);
@@ -68,9 +78,9 @@ async function make(): Promise<boolean> {
 
 function show(text: string): boolean {
   const drawing = draw(text);
-  setEdge(drawing, Number(field('size')));
+  setEdge(drawing, Number(size()));
   byId('cell').replaceChildren(drawing.element);
-  byId('caption').textContent = pairingLabels.marker(field('name'), field('size'), offset(), drawing.modules, text);
+  byId('caption').textContent = pairingLabels.marker(field('name'), size(), offset(), drawing.modules, text);
   byId('print').hidden = false;
   byId('fault').textContent = '';
   return true;
