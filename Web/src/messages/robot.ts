@@ -19,6 +19,8 @@ export const robotLabels = { view: '3D view' };
 export const robotMessages = {
   keys: 'Drag to turn the view, and double-click to reset it. On the keyboard, the arrow keys turn the view, plus and minus zoom, and 0 resets it.',
   noWebGl: 'This browser has no WebGL, so the robot is not drawn. Everything else on this page works.',
+  interrupted:
+    'The browser has stopped drawing the 3D view, for example because the graphics driver was restarted. If it does not go on, reload the page.',
   notShown: (reason: string) => `The robot cannot be shown: ${reason}.`,
   meshesReplaced: (count: number) =>
     `Lines replace ${count} ${count === 1 ? 'part' : 'parts'} of the robot, because meshes are not part of this page.`,

@@ -29,6 +29,7 @@ export class RobotView {
   private readonly others: Beside[] = [];
   private readonly labels = new Labels();
   private readonly note = el('p', { class: 'missing', hidden: true });
+  private readonly interruption = el('p', { class: 'missing', hidden: true }, robotMessages.interrupted);
   private readonly scene = new Scene();
   private readonly renderer: WebGLRenderer | null;
   private readonly orbit: OrbitCamera | null = null;
@@ -46,7 +47,7 @@ export class RobotView {
       this.canvas,
       this.labels.element,
     );
-    this.element = el('div', { class: 'robot' }, stage, this.note);
+    this.element = el('div', { class: 'robot' }, stage, this.note, this.interruption);
     this.renderer = rendererOn(this.canvas);
     if (!this.renderer) {
       stage.remove();
@@ -67,7 +68,11 @@ export class RobotView {
       this.isSeen = entries[entries.length - 1].isIntersecting;
       this.ask();
     }).observe(stage);
-    this.canvas.addEventListener('webglcontextrestored', () => this.ask());
+    this.canvas.addEventListener('webglcontextlost', () => (this.interruption.hidden = false));
+    this.canvas.addEventListener('webglcontextrestored', () => {
+      this.interruption.hidden = true;
+      this.ask();
+    });
     onColoursChanged(() => this.recolour());
     this.recolour();
   }
