@@ -1,3 +1,4 @@
+import { abortAfter } from '../gateway';
 import { clockCodeReasons } from '../messages/codes';
 import { gatewayReasons } from '../messages/gateway';
 import { ControlClock, MIN_EXCHANGES } from './controlClock';
@@ -64,7 +65,7 @@ export class Exchanges {
     const headers: HeadersInit = this.token ? { Authorization: `Bearer ${this.token}` } : {};
     try {
       const t1 = performance.now();
-      const response = await fetch('/vlc/time', { method: 'POST', cache: 'no-store', headers, signal: AbortSignal.timeout(TIMEOUT_MS) });
+      const response = await fetch('/vlc/time', { method: 'POST', cache: 'no-store', headers, signal: abortAfter(TIMEOUT_MS) });
       const t4 = performance.now();
       if (response.status === 401) return this.askForToken();
       if (!response.ok) return this.fail(gatewayReasons.refused((await response.text()).trim() || String(response.status)));

@@ -67,7 +67,8 @@ function frame(at: number): void {
 
 async function toggleFullScreen(): Promise<void> {
   if (document.fullscreenElement) return document.exitFullscreen();
-  await document.documentElement.requestFullscreen();
+  // An iPhone has no full screen.
+  await document.documentElement.requestFullscreen?.();
   // Keeps the screen on, because a dimmed screen cannot be read. Some browsers have no wake lock, and no browser has one over plain HTTP.
   await navigator.wakeLock?.request('screen').catch(() => undefined);
 }
