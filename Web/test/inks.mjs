@@ -15,6 +15,17 @@ export const hasInk = (page, index, ink) => page.evaluate(([index, ink]) => {
   return false;
 }, [index, ink]);
 
+/** Returns the background colours of elements without a contrast theme of the system, and with one. */
+export async function coloursInThemes(page, selector) {
+  const colours = [];
+  for (const forcedColors of ['none', 'active']) {
+    await page.emulateMedia({ forcedColors });
+    colours.push(await page.locator(selector).evaluateAll(all => all.map(e => getComputedStyle(e).backgroundColor)));
+  }
+  await page.emulateMedia({ forcedColors: null });
+  return colours;
+}
+
 export const settled = page => page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
 
 /** Computes the relative luminance of style sheet colours, and the contrast of two colours. */

@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { before, describe, it } from 'node:test';
 import { WEBGL } from './browser.mjs';
 import { drawn } from './drawn.mjs';
-import { settled } from './inks.mjs';
+import { coloursInThemes, settled } from './inks.mjs';
 import { messages } from './messages.mjs';
 import { opener } from './pages.mjs';
 import { picture } from './pixels.mjs';
@@ -250,6 +250,15 @@ describe('the signals in the playback', () => {
       assert.ok(Math.abs(spans[i][0] - from) < 0.02 && Math.abs(spans[i][1] - to) < 0.02, JSON.stringify(spans));
     assert.ok(Math.abs(timeAt(line.left + line.width / 2) - 2) < 0.02, `${timeAt(line.left)} s`);
     assert.deepEqual(lefts, [strip.left, strip.left], 'all strips have the same time axis');
+  });
+
+  it('keep their colours in a contrast theme', async () => {
+    await moveTo(page, 3);
+
+    const [normal, forced] = await coloursInThemes(page, '.lamp.on, .strip');
+
+    assert.equal(normal.length, 4);
+    assert.deepEqual(forced, normal);
   });
 
   it('fit narrow windows', async () => {

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { describe, it } from 'node:test';
-import { contrast, luminance, settled } from '../inks.mjs';
+import { coloursInThemes, contrast, luminance, settled } from '../inks.mjs';
 import { messages } from '../messages.mjs';
 import { readElement } from '../qr.mjs';
 import { ago, becomes, cells, gateway, nextState, open, showsToolError, withGraphics } from './page.mjs';
@@ -225,6 +225,15 @@ describe('accessibility in any window', () => {
       const hops = await luminance(page, ['plant', 'gateway', 'network', 'queue', 'render', 'display'].map(hop => `--hop-${hop}`));
       for (let i = 1; i < hops.length; i++) assert.ok(contrast(hops[i - 1], hops[i]) > 1.5, `${colorScheme}: hops ${i - 1} and ${i}`);
     }
+  });
+
+  it('keeps the colours of bars and legends in a contrast theme', async () => {
+    const page = await open();
+
+    const [normal, forced] = await coloursInThemes(page, '.hop');
+
+    assert.ok(new Set(normal).size > 7);
+    assert.deepEqual(forced, normal);
   });
 
   it('redraws only once a second with reduced motion', async () => {
