@@ -6,9 +6,13 @@ export function byId<T extends HTMLElement = HTMLElement>(id: string): T {
   return document.getElementById(id) as T;
 }
 
-/** Sets the text only if it has changed, so that screen readers do not repeat it. */
+/** Characters that change the direction of the text after them. */
+const DIRECTIONS = /[\u202a-\u202e\u2066-\u2069]/g;
+
+/** Sets the text only if it has changed, so that screen readers do not repeat it. A name in it cannot change the direction of the other words. */
 export function setText(element: Element, text: string): void {
-  if (element.textContent !== text) element.textContent = text;
+  const shown = text.replace(DIRECTIONS, ' ');
+  if (element.textContent !== shown) element.textContent = shown;
 }
 
 /** Creates an element. Text is never parsed as HTML, because it can contain names that users entered. */

@@ -275,6 +275,15 @@ describe('the shown state', () => {
     assert.deepEqual(page.complaints, []);
   });
 
+  it('shows the words after a name in their order', async () => {
+    gateway.state.headsets[0].name = 'left\u202edoor';
+    gateway.turned = null;
+    const page = await open();
+
+    await becomes(page, '.apart', messages.robotMessages.toolError('left door', null, null).slice(0, -1));
+    assert.equal(await page.locator('#headsets th:has-text("left\u202edoor")').count(), 1, 'the name has its own cell');
+  });
+
   it('is shown as unknown if the gateway reports no values', async () => {
     gateway.state = { role: 'observer' };
     const page = await open({}, false);
