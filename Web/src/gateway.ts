@@ -12,6 +12,12 @@ export function abortAfter(ms: number): AbortSignal {
   return controller.signal;
 }
 
+/** Returns the reason why a request was refused. The gateway states it as plain text, unlike for example a proxy. */
+export async function reasonOf(response: Response): Promise<string> {
+  const isPlain = response.headers.get('content-type')?.startsWith('text/plain');
+  return (isPlain && (await response.text()).trim()) || gatewayReasons.notFromGateway(response.status);
+}
+
 /**
  * Sends a request to the gateway that serves this page.
  * @param fields Content of a POST request; absent for a GET request.
@@ -24,7 +30,7 @@ export async function ask<T>(path: string, fields?: Record<string, string>): Pro
       ...(fields ? { method: 'POST', body: JSON.stringify(fields), headers: { 'Content-Type': 'application/json' } } : {}),
     });
     if (response.ok) return { value: (await response.json()) as T };
-    return { trouble: (await response.text()).trim(), status: response.status };
+    return { trouble: await reasonOf(response), status: response.status };
   } catch {
     return { trouble: gatewayReasons.noAnswer, status: 0 };
   }

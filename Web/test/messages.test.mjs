@@ -14,7 +14,7 @@ const samples = {
   label: 'uncompensated', level: 'Fault', lines: '120', maxErrorMs: 8, maxMs: 3, meanMs: 33, median: '0.30 ms', modules: 33, mostMs: 80, names: ['lost (orphan)'], name: 'Press 3', needed: 8,
   number: '13a', offset: '0.25,-0.1,0,0,0,90', p99: '1.90 ms', part: 'Tool error', place: 'Fig. 10', quantity: 'Render time', rateHz: 60,
   reason: 'the file is locked', reasons: 'format 3', rms: '2 mm', samples: 12, seconds: '12.345', share: '5 %', shownAt: '10:15:00', size: '120',
-  state: 'stale', text: 'nowpose:cell/1', time: '4:59', title: 'Visible light', to: '2 mm', toMs: 175, truth: 'off', unit: 'rad', value: '2 mm', values: 'Uncompensated: 1 to 2 mm.',
+  state: 'stale', status: 404, text: 'nowpose:cell/1', time: '4:59', title: 'Visible light', to: '2 mm', toMs: 175, truth: 'off', unit: 'rad', value: '2 mm', values: 'Uncompensated: 1 to 2 mm.',
   robot: 'arm2', version: '0.2.0', widestUs: 6000, zone: 'GMT+1',
 };
 const isSentence = name => /(Messages|Descriptions)\./.test(name);

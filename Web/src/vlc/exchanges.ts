@@ -1,4 +1,4 @@
-import { abortAfter } from '../gateway';
+import { abortAfter, reasonOf } from '../gateway';
 import { clockCodeReasons } from '../messages/codes';
 import { gatewayReasons } from '../messages/gateway';
 import { ControlClock, MIN_EXCHANGES } from './controlClock';
@@ -68,7 +68,7 @@ export class Exchanges {
       const response = await fetch('/vlc/time', { method: 'POST', cache: 'no-store', headers, signal: abortAfter(TIMEOUT_MS) });
       const t4 = performance.now();
       if (response.status === 401) return this.askForToken();
-      if (!response.ok) return this.fail(gatewayReasons.refused((await response.text()).trim() || String(response.status)));
+      if (!response.ok) return this.fail(gatewayReasons.refused(await reasonOf(response)));
       const answer = (await response.json()) as Answer;
       this.problem = answer.is_synchronised ? '' : clockCodeReasons.controlClock;
       this.clock.add({ t1, t2: BigInt(answer.t2_ns), t3: BigInt(answer.t3_ns), t4, resolutionNs: answer.resolution_ns });

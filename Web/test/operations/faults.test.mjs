@@ -1,11 +1,10 @@
 // Tests how the operations page shows faults.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
-import { drawn } from '../drawn.mjs';
 import { messages } from '../messages.mjs';
-import { ago, becomes, cells, gateway, nextState, open } from './page.mjs';
+import { ago, becomes, cells, gateway, open } from './page.mjs';
 
-const { emptyMessages, captionLabels, clockLabels, gatewayReasons, levelLabels, operationsLabels, operationsMessages, stateLabels } = messages;
+const { emptyMessages, captionLabels, clockLabels, levelLabels, operationsLabels, operationsMessages, stateLabels } = messages;
 
 describe('the operations page with faults', () => {
   const refused = { state: 'refused', since_utc: ago(95), age_s: 95.2, rate_hz: 0, reason: 'status Bad of node ns=2;s=Axis3' };
@@ -58,43 +57,6 @@ describe('the operations page with faults', () => {
     assert.ok(await page.locator('#alarms').isHidden());
     assert.match(await page.textContent('#events'), /ended.*arm_joint_3 \(press\) is refused/);
     assert.deepEqual(page.complaints, []);
-  });
-
-  it('marks the alarms as old while the gateway does not respond', async () => {
-    gateway.state.events = [event(7, 'error')];
-    const page = await open({ hasVirtualTime: true });
-
-    gateway.isSilent = true;
-    // The page waits 4 s for a response.
-    await Promise.all([page.waitForEvent('requestfailed'), page.clock.runFor(5000)]);
-
-    await page.waitForSelector('#alarms.stale');
-    assert.match(await page.locator('#alarms li').first().evaluate(alarm => getComputedStyle(alarm).filter), /grayscale/);
-    gateway.isSilent = false;
-    await page.waitForSelector('#alarms:not(.stale)');
-  });
-
-  it('does not show OK after a sleep until the gateway responds', async () => {
-    const page = await open({ hasVirtualTime: true });
-    await page.route('**/operations/state', () => {});
-    await nextState(page, 1);
-
-    // Less than the 4 s that the page waits for a response.
-    await page.clock.fastForward(3500);
-
-    assert.equal(await page.textContent('#status'), operationsMessages.noState);
-  });
-
-  it('requests the state at once when it becomes visible', async () => {
-    const page = await open({ hasVirtualTime: true });
-    // The timers wait from now on.
-    await page.clock.pauseAt(await page.evaluate(() => Date.now() + 100));
-    let count = 0;
-    page.on('request', () => count++);
-
-    const show = () => page.evaluate(() => document.dispatchEvent(new Event('visibilitychange')));
-
-    assert.ok(await drawn(async () => (await show(), count), requests => requests > 2));
   });
 
   it('shows the gateway\'s text of a fault', async () => {
@@ -230,38 +192,6 @@ describe('the operations page with faults', () => {
 
     const note = page.locator('[aria-label="Plant connections"] .note p').first();
     assert.equal(await note.innerText(), operationsLabels.refusedValues('bad_status 7, nan 2'));
-  });
-
-  it('shows a fault of the gateway itself in place of OK', async () => {
-    const page = await open();
-
-    gateway.isSilent = true;
-
-    await becomes(page, '#status', levelLabels.unknown);
-    assert.ok((await page.title()).startsWith(`${levelLabels.unknown}: Press 3`));
-    assert.equal(await page.getAttribute('#status', 'class'), 'level unknown');
-  });
-
-  it('states that it cannot show a response, and shows the next one that it can show', async () => {
-    const page = await open();
-    const { joints } = gateway.state;
-
-    gateway.state.joints = [{ ...joints[0], name: null }];
-
-    await becomes(page, '#trouble', operationsMessages.noNewState(gatewayReasons.notUnderstood, ''));
-    await becomes(page, '#status', levelLabels.unknown);
-    gateway.state.joints = joints;
-    await becomes(page, '#status', levelLabels.ok);
-  });
-
-  it('is loaded again if the version of the gateway changes', async () => {
-    const page = await open();
-    const loaded = page.waitForEvent('load');
-
-    gateway.state.version = '0.3.0';
-
-    await loaded;
-    await becomes(page, '#place', operationsLabels.gateway('0.3.0'));
   });
 
   it('does not show OK if the gateway reports no state', async () => {
