@@ -3,7 +3,7 @@ import { format } from '../numbers';
 /** Text of the plots and the tables of all pages. */
 export const plotMessages = {
   howToUse:
-    'Drag across a plot to zoom, double-click to reset the zoom, and point at a curve to read its values. '
+    'With a mouse, drag across a plot to zoom, double-click to reset the zoom, and point at a curve to read its values. '
     + 'On the keyboard, the arrow keys move the cursor, plus and minus zoom, and 0 resets the zoom. Click a name in a legend to show or hide its curve.',
   keys: 'The arrow keys move the cursor, plus and minus zoom, and 0 resets the zoom.',
   notMeasured: 'Not measured in this run.',
