@@ -77,8 +77,11 @@ public sealed record GatewayOptions
     /// <summary>Maximum number of connections of each of the two servers.</summary>
     public int MaxConnections { get; init; } = 256;
 
-    /// <summary>Maximum number of connections of observers to the WebSocket port. The others are reserved for sources and operators.</summary>
-    internal int MaxObservers => MaxConnections - (MaxConnections / 8);
+    /// <summary>Number of additional WebSocket connections for sources and operators, so that observers cannot lock them out.</summary>
+    internal const int ReservedConnections = 16;
+
+    /// <summary>Number of WebSocket connections at which a further client is refused. Without tokens, every client has the same maximum.</summary>
+    internal int MaxConnectionsFor(Role role) => AsksForTokens && role != Role.Observer ? MaxConnections + ReservedConnections : MaxConnections;
 
     /// <summary>
     /// Maximum number of connections from one address, on each of the two ports, before authentication. The number applies separately to

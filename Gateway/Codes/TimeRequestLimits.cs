@@ -12,10 +12,11 @@ sealed class TimeRequestLimits(GatewayOptions options, ConnectionCounters counte
 {
     /// <summary>Checks whether a request may be served. Otherwise, rejects it and ends its connection.</summary>
     /// <returns>True if the request may be served.</returns>
-    public async Task<bool> AdmitAsync(HttpContext context)
+    public async Task<bool> AdmitAsync(HttpContext context, Role role)
     {
-        if (PlaceOf(context) is not { } place)
-            await AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, LimitMessages.Connections(options.MaxObservers));
+        var max = options.MaxConnectionsFor(role);
+        if (PlaceOf(context, max) is not { } place)
+            await AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, LimitMessages.Connections(max));
         else if (place.Rate.TryTake())
             return true;
         else
@@ -31,11 +32,11 @@ sealed class TimeRequestLimits(GatewayOptions options, ConnectionCounters counte
     }
 
     // Not locked, because the requests of one connection are sequential.
-    Place PlaceOf(HttpContext context)
+    Place PlaceOf(HttpContext context, int max)
     {
         var items = context.Features.GetRequiredFeature<IConnectionItemsFeature>().Items;
         if (items.TryGetValue(this, out var known)) return (Place)known;
-        if (!counters.TryEnter(options.MaxObservers)) return null;
+        if (!counters.TryEnter(max)) return null;
         var place = new Place(new RequestRate(options.SyncRequestsPerSecond));
         items.Add(this, place);
         PendingWebConnections.Release(context);

@@ -53,13 +53,13 @@ sealed class VlcPage(GatewayOptions options, IControlClock clock, AccessControl 
 
     async Task SendTimeAsync(HttpContext context, ControlTime received)
     {
-        if (await accessControl.AdmitAsync(context) == null) return;
+        if (await accessControl.AdmitAsync(context) is not { } role) return;
         if (!HttpMethods.IsPost(context.Request.Method))
         {
             await AccessControl.RefuseMethodAsync(context, "POST");
             return;
         }
-        if (!await _places.AdmitAsync(context)) return;
+        if (!await _places.AdmitAsync(context, role)) return;
         context.Response.ContentType = "application/json";
         context.Response.Headers.CacheControl = "no-store";
         var answer = TimeText(received);

@@ -22,6 +22,7 @@ static class DryRun
         }
 
         var certificate = CertificateFiles.LoadValid(path, keyPath);
+        _ = CertificateFiles.All(path);
         findings.Good("certificate", FormattableString.Invariant($"{path} (valid to {certificate.NotAfter:yyyy-MM-dd})"));
         findings.Good("pin", CertificatePin.Of(certificate).ToString());
         return certificate;

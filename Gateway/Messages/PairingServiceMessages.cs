@@ -17,7 +17,8 @@ static class PairingServiceMessages
     public const string NotStored = "the headset's token cannot be stored; see the gateway's log";
 
     public static string NotStoredLog(string reason) => $"pairing: {reason}";
-    public static string TokenGiven(string headset) => $"pairing: headset '{headset}' received a token";
+    public const string TokenGiven = "pairing: gave a token";
+    public static string To(string headset) => $" to the headset '{headset}'";
 
     public const string WrongCodeLog = "pairing: rejected a wrong code";
     public const string WrongCode = "this code is not valid; look at the code that the gateway shows now";

@@ -8,7 +8,7 @@ static class RecorderMessages
 
     public const string Enabled = "recorder: enabled";
     public const string Disabled = "recorder: disabled";
-    public static string Download(string file) => $"recorder: download of {file}";
+    public const string Download = "recorder: download of ";
 
     public const string Deleted = "the file was deleted during the recording, and its lines are lost";
     public const string DiskAlmostFull = "less than 200 MB of the disk are free; delete recordings, or use another disk";

@@ -27,7 +27,7 @@ sealed class BrowserLogin(GatewayOptions options, AccessControl accessControl, C
         {
             _wrong.Count(context.Connection.RemoteIpAddress);
             counters.Count(Closure.Token);
-            accessControl.Log(context, OperationsMessages.UnknownTokenLog, null, TokenList.HashOf(request.GetValueOrDefault("token", "").Trim()));
+            accessControl.Log(context, OperationsMessages.UnknownTokenLog, role: null, hash: null);
             await RefuseAsync(context, StatusCodes.Status401Unauthorized, OperationsMessages.UnknownToken);
         }
     }

@@ -43,7 +43,7 @@ sealed class PairingService(GatewayOptions options, ShownCode shown, AccessContr
 
         if (own != null)
         {
-            accessControl.Log(context, PairingServiceMessages.TokenGiven(headset.Name), null, headset.Hash);
+            accessControl.Log(context, PairingServiceMessages.TokenGiven, Role.Observer, headset.Hash, PairingServiceMessages.To(headset.Name));
             return SmallJson.AnswerAsync(context, new { token = own });
         }
 

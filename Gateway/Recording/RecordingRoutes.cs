@@ -74,7 +74,7 @@ sealed class RecordingRoutes(Recorder recorder, RecordingsFolder folder, AccessC
             return;
         }
 
-        accessControl.Log(context, RecorderMessages.Download(file.Name));
+        accessControl.Log(context, RecorderMessages.Download, file.Name);
         var response = context.Response;
         response.ContentType = "application/jsonl";
         response.Headers.ContentDisposition = $"attachment; filename=\"{file.Name}\"";

@@ -18,7 +18,6 @@ sealed class RosbridgeServer(
     readonly CancellationTokenSource _stop = new();
     readonly NamesInUse _names = new(options.Time);
     // Counts the open connections of observers.
-    readonly ConnectionCounters _observers = new();
 
     public DropCounters Drops { get; } = new();
 
@@ -44,34 +43,17 @@ sealed class RosbridgeServer(
         if (!context.WebSockets.IsWebSocketRequest)
             await AccessControl.AnswerAsync(
                 context, StatusCodes.Status426UpgradeRequired, RequestMessages.NotAWebSocket);
-        else if (role != Role.Observer)
-            await ServeAsync(context, role, options.MaxConnections);
-        else if (_observers.TryEnter(options.MaxObservers))
-            await ServeObserverAsync(context);
         else
-            await ServeAsync(context, role, 0);
-    }
-
-    async Task ServeObserverAsync(HttpContext context)
-    {
-        try
-        {
-            await ServeAsync(context, Role.Observer, options.MaxConnections);
-        }
-        finally
-        {
-            _observers.Leave(Closure.ByPeer);
-        }
+            await ServeAsync(context, role);
     }
 
     // Refuses and counts a connection beyond the maximum.
-    async Task ServeAsync(HttpContext context, Role role, int max)
+    async Task ServeAsync(HttpContext context, Role role)
     {
-        if (!counters.TryEnter(max))
+        if (!counters.TryEnter(options.MaxConnectionsFor(role)))
         {
             await AccessControl.AnswerAsync(
-                context, StatusCodes.Status503ServiceUnavailable,
-                LimitMessages.Connections(role == Role.Observer ? options.MaxObservers : options.MaxConnections));
+                context, StatusCodes.Status503ServiceUnavailable, LimitMessages.Connections(options.MaxConnectionsFor(role)));
             return;
         }
 

@@ -39,6 +39,7 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
     {
         if (await AdmitAsync(context) == null) return false;
         if (IsOperator(context)) return true;
+        Log(context, AccessMessages.OperatorOnlyLog);
         await AnswerAsync(context, StatusCodes.Status403Forbidden, AccessMessages.OperatorOnly);
         return false;
     }
@@ -63,12 +64,14 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
 
     /// <summary>Logs what a client did or why it was refused, with its address, role and token.</summary>
     /// <param name="line">The line, without text from the client.</param>
-    public void Log(HttpContext context, string line) => Log(context, line, Rule.RoleOf(context), TokenHashOf(context));
+    /// <param name="about">Text about a client or its request, which follows the line; null for none.</param>
+    public void Log(HttpContext context, string line, string about = null) =>
+        Log(context, line, Rule.RoleOf(context), TokenHashOf(context), about);
 
-    /// <inheritdoc cref="Log(HttpContext, string)"/>
+    /// <inheritdoc cref="Log(HttpContext, string, string)"/>
     /// <param name="hash">Hash of the client's token; null if it has none.</param>
-    public void Log(HttpContext context, string line, Role? role, byte[] hash) =>
-        log(AccessMessages.By(line, context.Connection.RemoteIpAddress, role, hash), line);
+    public void Log(HttpContext context, string line, Role? role, byte[] hash, string about = null) =>
+        log(AccessMessages.By(line + about, context.Connection.RemoteIpAddress, role, hash), line);
 
     /// <summary>Responds with one line of text and ends the connection.</summary>
     public static Task AnswerAsync(HttpContext context, int status, string text)

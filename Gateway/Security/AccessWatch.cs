@@ -11,7 +11,7 @@ sealed class AccessWatch : IDisposable
     internal static readonly TimeSpan Interval = TimeSpan.FromMilliseconds(500);
 
     /// <summary>
-    /// Maximum number of connections of one paired headset to both ports. It uses two; others are lost ones that the gateway has not closed yet.
+    /// Maximum number of connections of one paired headset to both ports. It uses two; the others may be lost ones that the gateway has not closed yet.
     /// </summary>
     const int MaxOfHeadset = 16;
 
@@ -98,7 +98,6 @@ sealed class AccessWatch : IDisposable
     void Follow()
     {
         _options.Follow();
-        _expiry.Look(_options.Certificate?.NotAfter, DateTime.Now);
         Watched[] present;
         lock (_watched)
             present = [.. _watched];
@@ -106,6 +105,8 @@ sealed class AccessWatch : IDisposable
         {
             watched.End(Closure.Token);
         }
+
+        _expiry.Look(_options.Certificate?.NotAfter, DateTime.Now);
     }
 
     sealed class Watched(AccessWatch watch, byte[] tokenHash, Role role, Action<Closure> end, Func<bool> lasts) : IDisposable
@@ -116,14 +117,14 @@ sealed class AccessWatch : IDisposable
 
         public void End(Closure why)
         {
-            Dispose();
-            end(why);
+            if (Remove()) end(why);
         }
 
-        public void Dispose()
+        public void Dispose() => Remove();
+
+        bool Remove()
         {
-            lock (watch._watched)
-                watch._watched.Remove(this);
+            lock (watch._watched) return watch._watched.Remove(this);
         }
     }
 }

@@ -52,23 +52,29 @@ public static class CertificateFiles
         return certificate;
     }
 
-    /// <summary>Gets all certificates of a valid file: the gateway's own one and those of its issuers, if the file contains them.</summary>
-    internal static X509Certificate2Collection All(string path)
+    /// <summary>Gets all certificates of the file: the gateway's own one and those of its issuers, if the file contains them.</summary>
+    /// <exception cref="InputException">A certificate cannot be read.</exception>
+    internal static X509Certificate2Collection All(string path) => Read(path, () =>
     {
         if (IsPfx(path)) return X509CertificateLoader.LoadPkcs12CollectionFromFile(path, null);
         var all = new X509Certificate2Collection();
         all.ImportFromPemFile(path);
         return all;
-    }
+    });
 
-    static X509Certificate2 Load(string path, string keyPath)
+    static X509Certificate2 Load(string path, string keyPath) => Read(path, () =>
+    {
+        if (IsPfx(path))
+            return WithKey(X509CertificateLoader.LoadPkcs12FromFile(path, null), path);
+        using var certificate = X509Certificate2.CreateFromPemFile(path, keyPath);
+        return Usable(certificate);
+    });
+
+    static T Read<T>(string path, Func<T> read)
     {
         try
         {
-            if (IsPfx(path))
-                return WithKey(X509CertificateLoader.LoadPkcs12FromFile(path, null), path);
-            using var certificate = X509Certificate2.CreateFromPemFile(path, keyPath);
-            return Usable(certificate);
+            return read();
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or CryptographicException)
         {

@@ -92,6 +92,17 @@ public class CertificateFilesTests
     }
 
     [Test]
+    public void All_DamagedIssuer_ThrowsWithThePath()
+    {
+        var path = Path.Combine(_folder, "damaged.pem");
+        using (CertificateFiles.LoadOrGenerate(path, null)) File.AppendAllText(path, "-----BEGIN CERTIFICATE-----\nAAAA\n-----END CERTIFICATE-----\n");
+
+        var error = Assert.Throws<InputException>(() => CertificateFiles.All(path));
+
+        Assert.That(error.Message, Does.Contain(path));
+    }
+
+    [Test]
     public void LoadOrGenerate_CertificateWithoutKey_Throws()
     {
         var path = Path.Combine(_folder, "public.pem");

@@ -27,7 +27,7 @@ public sealed class PairingExchangeTests
         Assert.That(answer.Token, Does.Match("^[A-Za-z0-9_-]{43}$"), "256 bits");
         Assert.That(await RosbridgeStatusAsync(gateway, answer.Token), Is.EqualTo(HttpStatusCode.SwitchingProtocols));
         Assert.That(await RosbridgeStatusAsync(gateway, answer.Token + "a"), Is.EqualTo(HttpStatusCode.Unauthorized));
-        Assert.That(gateway.Log, Has.Some.StartsWith(PairingServiceMessages.TokenGiven("headset 7") + " from 127.0.0.1 (token "));
+        Assert.That(gateway.Log, Has.Some.StartsWith(PairingServiceMessages.TokenGiven + PairingServiceMessages.To("headset 7") + " from 127.0.0.1 (observer, token "));
     }
 
     [Test]

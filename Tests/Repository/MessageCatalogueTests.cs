@@ -54,7 +54,7 @@ public sealed partial class MessageCatalogueTests
     /// </summary>
     static readonly Dictionary<string, string[]> OtherStatuses = new()
     {
-        ["AccessMessages"] = ["ClosedForNewer", "FormerContentUsed", "OtherLinesUsed", "Refused", "TooManyWrongLog"],
+        ["AccessMessages"] = ["ClosedForNewer", "FormerContentUsed", "OperatorOnlyLog", "OtherLinesUsed", "Refused", "TooManyWrongLog"],
         ["AdapterMessages"] = ["Ended"],
         ["AppearanceMessages"] = ["NoMaterial", "NotFadeable"],
         ["BaseMessages"] =
@@ -99,7 +99,7 @@ public sealed partial class MessageCatalogueTests
         ["PairingAnswerMessages"] = ["Failed"],
         ["PairingCodeMessages"] = ["OtherBegin"],
         ["PairingMessages"] = ["Exchanging", "Known", "MarkerFirst", "Paired"],
-        ["PairingServiceMessages"] = ["CodeRenewed", "NotStoredLog", "TokenGiven", "WrongCodeLog"],
+        ["PairingServiceMessages"] = ["CodeRenewed", "NotStoredLog", "To", "TokenGiven", "WrongCodeLog"],
         ["ProfileMessages"] = ["OtherKind"],
         ["RecorderMessages"] = ["Begun", "Deleted", "Disabled", "Download", "Enabled", "Ended", "FolderNotChecked", "UnknownName"],
         ["RecordingMessages"] = ["Stopped"],

@@ -81,7 +81,7 @@ public class PairedGatewayTests
         Assert.That(paired, Is.EqualTo(1));
         Assert.That(_session.Settings.Connection.Security, Is.EqualTo(TransportSecurity.Pinned));
         Assert.That(_pairing.Words, Does.Contain("paired"));
-        Assert.That(_gateway.Log, Has.Some.StartsWith(PairingServiceMessages.TokenGiven("Anna's")));
+        Assert.That(_gateway.Log, Has.Some.StartsWith(PairingServiceMessages.TokenGiven + PairingServiceMessages.To("Anna's")));
 
         RestartPlaying();
         await SoonAsync(() => IsConnected, "connected again");

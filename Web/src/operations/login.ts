@@ -5,6 +5,7 @@ import { ask } from '../gateway';
 export class Login {
   private readonly form = byId<HTMLFormElement>('login');
   private readonly token = byId<HTMLInputElement>('token-text');
+  isLoggedIn = false;
 
   /** @param changed Called after the user has logged in or out. */
   constructor(changed: () => void) {
@@ -20,6 +21,7 @@ export class Login {
    * @param isLoggedIn Whether this browser has logged in. The gateway reports it, because scripts cannot read the cookie.
    */
   show(isNeeded: boolean, isLoggedIn: boolean): void {
+    this.isLoggedIn = isLoggedIn;
     byId('logout').hidden = !isLoggedIn;
     if (this.form.hidden === !isNeeded) return;
     // Moves the focus before the focused element is hidden. Otherwise, the focus would move to the top of the page.

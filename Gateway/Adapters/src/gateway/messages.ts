@@ -73,8 +73,11 @@ export const diagnostics = (name: string, level: 0 | 1 | 2, message: string, val
   status: [{ level, name, message, hardware_id: name, values: Object.entries(values).map(([key, value]) => ({ key, value })) }],
 });
 
-/** Matches strings, and the tokens that Python writes for numbers that are not finite. */
-const STRING_OR_TOKEN = /"(?:[^"\\]|\\.)*"|-?\b(?:NaN|Infinity)\b/g;
+/**
+ * Matches strings, and the tokens that Python writes for numbers that are not finite. A string without an end matches to the end of the text, because
+ * otherwise the time would grow with the square of the length.
+ */
+const STRING_OR_TOKEN = /"(?:[^"\\]|\\[^])*"?|-?\b(?:NaN|Infinity)\b/g;
 
 /**
  * Parses a JSON object; null if the string is not a JSON object or array. A number that is not finite becomes null: rosbridge writes null for most of

@@ -6,11 +6,10 @@ namespace Nowpose.Editor.Messages
     static class CheckResults
     {
         public static string Architecture(string architecture) => $"the app is built for {architecture}";
-        public const string PcHeadset = "; a headset on a PC was not examined, and these checks do not apply to it";
+        public const string PcHeadset = "; switch to the player of your headset. These checks do not cover headsets on a PC";
 
         public static string BuildTarget(string target) =>
             $"the project is built for {target}" + (target.StartsWith("Standalone", StringComparison.Ordinal) ? PcHeadset : "");
-
 
         public const string NoCamera = "the open scenes have no enabled camera with the tag MainCamera; open the scene of the headset";
         public const string CameraBackground = "the camera clears to a skybox or to another colour";

@@ -17,6 +17,7 @@ namespace Nowpose.ArFoundation
         readonly Pose _world;
         XRAnchorSubsystem _device;
         float _askAt;
+        volatile bool _isAsking;
         bool _isReleased;
 
         /// <param name="world">Pose of the anchor in the scene.</param>
@@ -32,15 +33,11 @@ namespace Nowpose.ArFoundation
         /// <param name="session">Origin of the device's session in the scene.</param>
         public void Follow(XRAnchorSubsystem device, Transform session)
         {
-            if (Id != TrackableId.invalidId || Time.unscaledTime < _askAt) return;
+            if (_isAsking || Id != TrackableId.invalidId || Time.unscaledTime < _askAt) return;
             _askAt = Time.unscaledTime + AskEverySeconds;
             _device = device;
             Problem ??= DeviceMessages.AnchorNotCreated;
-            var pose = new Pose(session.InverseTransformPoint(_world.position), Quaternion.Inverse(session.rotation) * _world.rotation);
-            if (device.TryAddAnchor(pose, out var anchor)) Take(anchor.trackableId);
-#if NOWPOSE_AR_FOUNDATION_6
-            else AskForLater(pose);
-#endif
+            Ask(new Pose(session.InverseTransformPoint(_world.position), Quaternion.Inverse(session.rotation) * _world.rotation));
         }
 
         /// <summary>Removes the anchor from the device, also if the device creates it later.</summary>
@@ -57,22 +54,31 @@ namespace Nowpose.ArFoundation
         }
 
 #if NOWPOSE_AR_FOUNDATION_6
-        // Some devices, such as a Quest, create anchors only asynchronously. The continuation runs on the main thread, or never if the runtime ends.
-        async void AskForLater(Pose pose)
+        // Some devices, such as a Quest, create anchors only asynchronously. The continuation may run on a thread of the provider, or never if the runtime
+        // ends.
+        async void Ask(Pose pose)
+#else
+        void Ask(Pose pose)
+#endif
         {
-            _askAt = float.PositiveInfinity;
+            _isAsking = true;
             try
             {
-                var result = await _device.TryAddAnchorAsync(pose);
-                if (result.status.IsSuccess()) Take(result.value.trackableId);
+                if (_device.TryAddAnchor(pose, out var anchor)) Take(anchor.trackableId);
+#if NOWPOSE_AR_FOUNDATION_6
+                else
+                {
+                    var result = await _device.TryAddAnchorAsync(pose);
+                    if (result.status.IsSuccess()) Take(result.value.trackableId);
+                }
+#endif
             }
             // The type of the exception is the provider's choice, for example OperationCanceledException if the runtime ends.
             catch (Exception fault)
             {
                 Problem = DeviceMessages.AnchorRefused(fault.Message);
             }
-            _askAt = Time.unscaledTime + AskEverySeconds;
+            _isAsking = false;
         }
-#endif
     }
 }

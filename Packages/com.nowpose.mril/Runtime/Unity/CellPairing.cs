@@ -31,7 +31,7 @@ namespace Nowpose.Unity
         BaseAnchor _anchor = null;
 
         [SerializeField, Tooltip("Name of this headset in the gateway's list and in the diagnostics, up to 64 characters. Empty: the device's "
-            + "name in its system settings; on Android with four digits of the device.")]
+            + "name in its system settings; on Android with four hexadecimal digits.")]
         string _headsetName = "";
 
         [SerializeField, Tooltip("File for the paired cells and their tokens: a path below the application's persistent data path, or a full "

@@ -41,7 +41,7 @@ namespace Nowpose.Unity
         bool _insecureLan = false;
 
         [SerializeField, Tooltip("Name of this headset in its diagnostics, 1 to 128 characters; must be unique at the gateway. Empty: the "
-            + "device's name in its system settings; on Android with four digits of the device.")]
+            + "device's name in its system settings; on Android with four hexadecimal digits.")]
         string _headsetName = "";
 
         [SerializeField, Tooltip("Namespace of the session's robot in the cell, such as arm1 for /arm1/joint_states. Empty: the robot without a "

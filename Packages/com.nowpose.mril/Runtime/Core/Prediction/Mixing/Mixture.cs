@@ -65,7 +65,7 @@ namespace Nowpose.Prediction.Mixing
         // The table of the displayed forecast.
         readonly double[] _table;
 
-        double _forgettingFactor, _firstMoveUntil;
+        double _forgettingFactor, _firstMoveUntil, _startedAt;
         bool _wasReported;
 
         /// <param name="limits">Horizon cap, and for a joint the limits of its drive.</param>
@@ -92,6 +92,7 @@ namespace Nowpose.Prediction.Mixing
         {
             if (motion.IsNewest)
             {
+                if (double.IsNaN(_startedAt)) _startedAt = motion.NewestTime;
                 _forgettingFactor = Math.Exp(-motion.Timing.Interval / TimeConstant);
                 if (Uses(PredictionParts.Jumps)) _jumps.Add(motion);
                 DetectChangePoint(motion);
@@ -115,6 +116,7 @@ namespace Nowpose.Prediction.Mixing
             _distance.Clear();
             Array.Clear(_table, 0, _table.Length);
             _firstMoveUntil = double.NegativeInfinity;
+            _startedAt = double.NaN;
             _wasReported = false;
         }
 
@@ -200,9 +202,12 @@ namespace Nowpose.Prediction.Mixing
             if (_components == 1 && motion.Count > 1) ForecastTable.LimitToDrive(_table, _points, speedFactor * motion.Velocity[0], motion.Interval, _limits);
         }
 
-        // Before the first errors are known, the prior would extend a tracker's noise to a multiple of it. Hold has the remainder.
-        double ShareOfForecasts(MotionState motion) =>
-            _weights.Evidence == 0 ? Math.Min(Math.Max(motion.MeasurePersistence(), 0), 1) : 1;
+        // In the first horizon, in which no errors are known, the prior would extend a tracker's noise to a multiple of it. Hold has the remainder.
+        double ShareOfForecasts(MotionState motion)
+        {
+            var isFirstHorizon = _weights.Evidence == 0 && motion.NewestTime - _startedAt < motion.Timing.Horizon + motion.Timing.Interval;
+            return isFirstHorizon ? Math.Min(Math.Max(motion.MeasurePersistence(), 0), 1) : 1;
+        }
 
         // Adds the weighted sum, within the limit of the distance, with this share.
         void AddForecasts(double share)

@@ -28,6 +28,27 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             Assert.That(RmsError(interval, 3 * Cycle, 6 * Cycle, 0), Is.LessThan(0.03 * RmsOfHold(interval, 3 * Cycle, 6 * Cycle)));
         }
 
+        // The position is in mm, and the noise is that of a tracker.
+        [TestCase(0.010, 0.5)]
+        [TestCase(0.020, 1)]
+        [TestCase(0.050, 2)]
+        [TestCase(0.100, 2)]
+        public void At_RepeatingMotionWithNoise_IsPredicted(double interval, double noise)
+        {
+            var random = new Random(Seed);
+            var predictor = Alone();
+            int predicted = 0, count = 0;
+            for (var i = 0; i * interval < 18 * Cycle; i++)
+            {
+                predictor.Add(i * interval, Position(i * interval) + noise * (2 * random.NextDouble() - 1));
+                if (i * interval < 14 * Cycle) continue;
+                if (predictor.At(i * interval + Ahead).Kind == PredictionKind.Predicted) predicted++;
+                count++;
+            }
+
+            Assert.That(predicted, Is.GreaterThan(0.9 * count), "seed " + Seed);
+        }
+
         // In a dwell that is longer than the compared motion, all parts of the history at rest are equal.
         [TestCase(0.020)]
         [TestCase(0.050)]
