@@ -44,7 +44,8 @@ static class RangeVerb
         var (pictures, origin) = PairTable.Read(file);
         origin = origin with { Source = SourceOf(parsed, file, origin.Source) };
         RequireRise(pictures, file, LatencyNames.RenderTimeSource.NameOf(origin.Source));
-        return (pictures, origin, InputPlace.In(file, () => RangeFit.Fit(pictures)));
+        var conditions = Shared.Conditions(parsed).Or(origin.Conditions);
+        return (pictures, origin, InputPlace.In(file, () => RangeFit.Fit(pictures, origin with { Conditions = conditions })));
     }
 
     // A source in the table takes precedence over the default of the option. The option must not contradict it.

@@ -1,5 +1,6 @@
 using MathNet.Numerics.Statistics;
 using Nowpose.Cli.Messages;
+using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Range;
 
@@ -37,19 +38,26 @@ static class RangeFit
     /// </summary>
     const double IntoTheGap = 0.25, MaxShareAbove = 0.02;
 
+    /// <summary>
+    /// For a source with a resolution of one frame: quantile of the render times in range that must be low enough for the headset's monitor to
+    /// return to the range.
+    /// </summary>
+    const double InRange = 0.95;
+
     /// <summary>Number of pairs just beyond the limit that are assumed to be misread.</summary>
     const int Misread = 2;
 
     const int MaxRounds = 8;
 
     /// <param name="pictures">At least <see cref="MinPairs"/> pictures with known render times, in any order.</param>
-    /// <inheritdoc cref="Fit(IReadOnlyList{LatencyPair})"/>
-    public static RangeFitResult Fit(IEnumerable<MeasuredPicture> pictures) =>
-        Fit([.. pictures.Select(each => new LatencyPair(each.RenderMs.Value, each.VisuMs))]);
+    /// <inheritdoc cref="Fit(IReadOnlyList{LatencyPair}, PairOrigin)"/>
+    public static RangeFitResult Fit(IEnumerable<MeasuredPicture> pictures, PairOrigin origin = null) =>
+        Fit([.. pictures.Select(each => new LatencyPair(each.RenderMs.Value, each.VisuMs))], origin);
 
     /// <param name="pairs">At least <see cref="MinPairs"/> pairs in any order.</param>
+    /// <param name="origin">Source of the render times, which determines their resolution, and display rate; null if unknown.</param>
     /// <exception cref="InputException">There are too few pairs, or L_visu is not constant at the lowest render times.</exception>
-    public static RangeFitResult Fit(IReadOnlyList<LatencyPair> pairs)
+    public static RangeFitResult Fit(IReadOnlyList<LatencyPair> pairs, PairOrigin origin = null)
     {
         if (pairs.Count < MinPairs)
             throw new InputException(RangeMessages.TooFewPairs(pairs.Count, MinPairs));
@@ -73,13 +81,13 @@ static class RangeFit
             if (split.IsReached) nearest = Math.Max(MinToleranceMs, Math.Abs(Median(Visu(sorted.Skip(split.Count))) - plateau.Centre) / 2);
             if (split.Count == before && round > 1) break;
         }
-        return Result(sorted, good, split);
+        return Result(sorted, good, split, origin?.Source);
     }
 
-    static RangeFitResult Result(LatencyPair[] sorted, bool[] good, RangeSplit split)
+    static RangeFitResult Result(LatencyPair[] sorted, bool[] good, RangeSplit split, RenderTimeSourceKind? source)
     {
-        var inside = Visu(sorted.Take(split.Count).Where((_, i) => good[i])).ToArray();
-        var (mean, spread) = inside.MeanStandardDeviation();
+        var inside = sorted.Take(split.Count).Where((_, i) => good[i]).ToArray();
+        var (mean, spread) = Visu(inside).MeanStandardDeviation();
         if (spread > MaxSpreadMs)
             throw new InputException(RangeMessages.Scatters(spread, MaxSpreadMs));
         (double Last, double Next) GapAt(int count)
@@ -89,11 +97,16 @@ static class RangeFit
         }
         var ((last, next), (lastPossible, open)) = (GapAt(split.Count), GapAt(split.MaxCount));
         var limit = Math.Min(last + IntoTheGap * (next - last), (1 + MaxShareAbove) * last);
-        return new RangeFitResult(mean, spread, split.IsReached ? limit : null, limit, sorted.Length, inside.Length, split.Count - inside.Length,
-            open > (1 + Coarse) * lastPossible ? open : null);
+        // The times of this source are groups one refresh apart, so the usual render time can be just below the limit.
+        if (source == RenderTimeSourceKind.GpuCompletion)
+            limit = Math.Max(limit, Quantile.Of(Render(inside), InRange) / ConstantLatencyMonitor.ClearlyInside);
+        return new RangeFitResult(mean, spread, split.IsReached ? limit : null, split.IsReached ? limit : last, sorted.Length, inside.Length,
+            split.Count - inside.Length, open > (1 + Coarse) * lastPossible && open > limit ? open : null);
     }
 
     static IEnumerable<double> Visu(IEnumerable<LatencyPair> pairs) => pairs.Select(pair => pair.VisuMs);
+
+    static IEnumerable<double> Render(IEnumerable<LatencyPair> pairs) => pairs.Select(pair => pair.RenderMs);
 
     static double Median(IEnumerable<double> values) => Quantile.Of(values, 0.5);
 

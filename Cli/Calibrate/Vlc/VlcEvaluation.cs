@@ -2,6 +2,7 @@ using System.Globalization;
 using Nowpose.Cli.Calibrate.Range;
 using Nowpose.Cli.Messages;
 using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Profile;
 using Nowpose.Latency.Sweep;
 
@@ -34,7 +35,7 @@ sealed class VlcEvaluation
         if (result.Read.Count == 0) sweep = null;
         var sensitivity = sweep == null ? null : LoadSensitivity.Judge(sweep);
         if (sweep != null) (Source, Pictures) = (sensitivity.Source, Joined(sweep, sensitivity.Source));
-        var fit = sensitivity == null ? null : FitOf(sensitivity);
+        var fit = sensitivity == null ? null : FitOf(sensitivity, earlier.Conditions);
         Profile = fit != null
             ? RangeProfile.Of(fit, earlier.Conditions, sensitivity.Source, earlier.Profile?.HeadMotion)
             : WithoutRange(sweep != null, earlier);
@@ -67,7 +68,7 @@ sealed class VlcEvaluation
     }
 
     // Returns null if no range can be determined. Adds the reason to the warnings.
-    RangeFitResult FitOf(LoadSensitivity sensitivity)
+    RangeFitResult FitOf(LoadSensitivity sensitivity, DisplayConditions conditions)
     {
         if (sensitivity.Sight != LoadSight.Seen)
         {
@@ -76,7 +77,7 @@ sealed class VlcEvaluation
         }
         try
         {
-            return RangeFit.Fit(Pictures.Where(each => each.RenderMs.HasValue));
+            return RangeFit.Fit(Pictures.Where(each => each.RenderMs.HasValue), new PairOrigin(sensitivity.Source, conditions));
         }
         catch (InputException bad)
         {

@@ -59,7 +59,7 @@ namespace Nowpose.Latency
         /// Hysteresis of the state. The state becomes <see cref="RangeState.Inside"/> again when the median has stayed below ClearlyInside times the
         /// limit for <see cref="FramesToReturn"/> frames.
         /// </summary>
-        const double ClearlyInside = 0.94;
+        internal const double ClearlyInside = 0.94;
         const int FramesToReturn = 30;
 
         readonly RollingPercentiles _recent = new RollingPercentiles(Window);
