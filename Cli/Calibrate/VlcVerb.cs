@@ -65,7 +65,9 @@ static class VlcVerb
         "--readout-ms", "Rolling shutter: delay of the last row's exposure after the first row's", 0.0, -100, 100, "ms");
 
     public static Option<double> ControlDelayOption() => NumberOption.Create(
-        "--control-delay-ms", "Delay of the device that shows the control code: switching time of LEDs, latency of a monitor", 0.0, 0, 500, "ms");
+        "--control-delay-ms",
+        "Delay of the device that shows the control code: switching time of LEDs, latency of a monitor. "
+        + "Negative if the code is ahead, for example because the PLC program adds a cycle too many.", 0.0, -20, 500, "ms");
 
     /// <summary>Prints the rejected pictures with their reasons to stderr.</summary>
     public static void ReportRejected(VlcResult result)

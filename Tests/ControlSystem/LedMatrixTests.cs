@@ -41,16 +41,19 @@ public class LedMatrixTests
             Assert.That(RowsOf(block, epoch + (ulong)code.ValueMs * NsPerMs + intoTheMillisecondNs), Is.EqualTo(code.Rows), code.ValueMs + " ms");
     }
 
-    [Test]
-    public void Program_EachCycle_ShowsTheTimeAtWhichItsOutputsTakeEffect()
+    // TwinCAT's default sends the outputs directly after the program; with "I/O at task start", the next cycle sends them.
+    [TestCase(0)]
+    [TestCase(1)]
+    public void Program_EachCycle_ShowsTheTimeAtWhichItsOutputsTakeEffect(int cyclesLater)
     {
         var dcTime = 0UL;
+        var delayed = Text("PRG_NowposeLedMatrix.st").Replace("nOutputDelayNs : ULINT := 0;", $"nOutputDelayNs : ULINT := {cyclesLater}000000;");
         var program = new StructuredText(
-            Text("PRG_NowposeLedMatrix.st"), new() { ["F_GetCurDcTaskTime64"] = () => dcTime }, type => type == "FB_NowposeLedCode" ? Block() : null);
+            delayed, new() { ["F_GetCurDcTaskTime64"] = () => dcTime }, type => type == "FB_NowposeLedCode" ? Block() : null);
 
         foreach (var code in Codes.Where(code => code.ValueMs > 0))
         {
-            dcTime = 3 * PeriodNs + (ulong)(code.ValueMs - 1) * NsPerMs;
+            dcTime = 3 * PeriodNs + (ulong)(code.ValueMs - cyclesLater) * NsPerMs;
             program.Run();
             Assert.That(program.Array("aLeds").Select(row => (byte)row), Is.EqualTo(code.Rows), code.ValueMs + " ms");
         }

@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Cli.Messages;
 using Nowpose.Latency;
@@ -91,6 +92,15 @@ public sealed class BadInputTests : CalibrationFolder
 
         Assert.That(run.ExitStatus, Is.Zero, run.Errors);
         Assert.That(LatencyProfileFile.Load(ProfilePath).Visualisation.Length.TotalMilliseconds, Is.EqualTo(40).Within(1));
+    }
+
+    // A PLC program that adds a cycle too many shows a code that is ahead.
+    [TestCase("-0.9", true)]
+    [TestCase("-21", false)]
+    public void Vlc_NegativeControlDelay_IsAcceptedDownToTwentyMilliseconds(string delayMs, bool isValid)
+    {
+        foreach (var verb in new[] { VlcVerb.Create(), HeadVerb.Create() })
+            Assert.That(verb.Parse(["a.png", "--control-delay-ms", delayMs]).Errors, isValid ? Is.Empty : Is.Not.Empty);
     }
 
     [Test]
