@@ -7,6 +7,19 @@ import { load } from './vlcParts.mjs';
 const { controlCells } = await load('code');
 const { ControlClock } = await load('controlClock');
 const { grainOf } = await load('grain');
+const { Monitor } = await load('monitor');
+
+describe('the delay of a monitor', () => {
+  it('covers the fastest case and that of one more frame', () => {
+    const monitor = new Monitor();
+    for (let i = 0; i < 60; i++) monitor.frame((1000 * i) / 60);
+    const { mean, maxError } = monitor.delayMs;
+
+    // The start of a refresh, the middle of the scan, and half of the visible time before and after it.
+    const [first, last] = [1.5, 3.5].map(refreshes => (1000 * refreshes) / 60);
+    assert.ok(mean - maxError <= first + 1e-9 && mean + maxError >= last - 1e-9, `${mean} ± ${maxError} ms`);
+  });
+});
 
 const text = cells => cells.map(Number).join('');
 

@@ -22,9 +22,10 @@ export class Monitor {
 
   /**
    * Mean delay from the time that a code encodes to the emission of its light, without the panel's own delay, and the maximum deviation from this
-   * mean, ms. The code reaches the middle of the picture after one to two refreshes and is shown for one refresh.
+   * mean, ms. In the fastest case, the code is sent at the next refresh, reaches the middle of the picture half a refresh later, and is visible for one
+   * refresh: two refreshes in the mean. A browser that composes one more frame needs three.
    */
   get delayMs(): { mean: number; maxError: number } {
-    return { mean: 2 * this.refreshMs, maxError: this.refreshMs / 2 };
+    return { mean: 2.5 * this.refreshMs, maxError: this.refreshMs };
   }
 }
