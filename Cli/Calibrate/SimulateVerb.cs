@@ -18,9 +18,14 @@ static class SimulateVerb
     static readonly Option<int> LoadSteps = NumberOption.Create(
         "--load-steps", "Number of load steps from 0 to 2 million vertices; 0 means a constant load of 300 000 vertices", Standard.LoadSteps, 0, 100, "");
     static readonly Option<double> Lit = NumberOption.Create(
-        "--lit-ms", "Time for which each frame is lit; the results scatter by half of it", Standard.LitMs, 0.5, 16.6, "ms");
+        "--lit-ms",
+        "Time for which each frame is lit; the results scatter by half of the sum of this time and the exposure", Standard.LitMs, 0.5, 16.6, "ms");
     static readonly Option<double> Exposure = NumberOption.Create(
         "--exposure-ms", "Maximum exposure time; exposures are distributed uniformly from 1 ms to this value", Standard.ExposureMs, 1, 40, "ms");
+    static readonly Option<double?> Fps = NumberOption.CreateOptional(
+        "--fps",
+        "Rate of a video: pictures at fixed intervals with the maximum exposure time, also while the display is dark. Default: random times",
+        1.0, 1000, "pictures per second");
     static readonly Option<double> Readout = NumberOption.Create(
         "--readout-ms", "Rolling shutter: delay of the last row's exposure after the first row's", 0.0, -100, 100, "ms");
     static readonly Option<double?> HeadLatency = NumberOption.CreateOptional(
@@ -35,7 +40,7 @@ static class SimulateVerb
     {
         var verb = new Command("simulate", "Create pictures of a simulated display and LED matrix, with a sweep's log and the true values, as a test of calibrate vlc.")
         {
-            Pictures, PerPlace, Visu, Spoiled, LoadSteps, Lit, Exposure, Readout, HeadLatency, Seed, Check, Output,
+            Pictures, PerPlace, Visu, Spoiled, LoadSteps, Lit, Exposure, Fps, Readout, HeadLatency, Seed, Check, Output,
         };
         // Runs on a separate thread, so that Ctrl-C can request a partial result and wait for it.
         verb.SetAction((parsed, cancel) => Task.Run(() => Run(parsed, cancel), CancellationToken.None));
@@ -48,7 +53,8 @@ static class SimulateVerb
         {
             Pictures = parsed.GetValue(Pictures), PicturesPerPlace = parsed.GetValue(PerPlace), VisuMs = parsed.GetValue(Visu),
             Spoiled = parsed.GetValue(Spoiled), LoadSteps = parsed.GetValue(LoadSteps),
-            LitMs = parsed.GetValue(Lit), ExposureMs = parsed.GetValue(Exposure), ReadoutMs = parsed.GetValue(Readout), Seed = parsed.GetValue(Seed),
+            LitMs = parsed.GetValue(Lit), ExposureMs = parsed.GetValue(Exposure), PicturesPerSecond = parsed.GetValue(Fps),
+            ReadoutMs = parsed.GetValue(Readout), Seed = parsed.GetValue(Seed),
         };
         if (parsed.GetValue(HeadLatency) is double latency)
             settings = settings with { HeadLatencyMs = latency, LoadSteps = 0, PicturesPerPlace = settings.Pictures };

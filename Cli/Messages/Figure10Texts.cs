@@ -8,10 +8,10 @@ static class Figure10Texts
         + "frame that is not ready 1.5 ms before a refresh waits for the next one. A frame starts at a refresh, or, while two frames are in "
         + "progress, when the older one is done: if the render time exceeds a refresh interval, frames start at any time between two refreshes. "
         + "The pictures are those of calibrate simulate, about 8 per second and 100 per load, and all codes are read correctly. Each picture "
-        + "is taken at a random time within the 4 ms for which its frame is lit, the headset's code has a resolution of 1 ms, and the render "
-        + "time is that of the newest finished frame. The paper states neither its camera's exposure nor how long a HoloLens 2 lights a frame. "
-        + "If this time is longer, L_visu scatters more within the range, and the ratio is smaller. The limit and L_visu depend on the headset: "
-        + "the figure shows the shape, not the values of a HoloLens.";
+        + "shows a frame that is lit once for 4 ms. The exposure is 1 ms, and its middle is at a random time while the frame is lit. The headset's "
+        + "code has a resolution of 1 ms, and the render time is that of the newest finished frame. The paper states neither its camera's exposure "
+        + "nor how long a HoloLens 2 lights a frame. If one of them is longer, or a frame is lit twice, L_visu scatters more within the range, and "
+        + "the ratio is smaller. The limit and L_visu depend on the headset: the figure shows the shape, not the values of a HoloLens.";
 
     public const string Title = "Render time and L_visu at two loads";
 

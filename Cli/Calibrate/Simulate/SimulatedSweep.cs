@@ -7,8 +7,8 @@ namespace Nowpose.Cli.Calibrate.Simulate;
 
 /// <summary>Simulates the frames of a load sweep on a display, and the times at which a camera takes pictures of the display.</summary>
 /// <remarks>
-/// The camera is not synchronised with the display: the middle of an exposure is at a random time while a frame is lit. No pictures are
-/// taken while the display is dark.
+/// The camera is not synchronised with the display: the exposure of a picture overlaps the time in which a frame is lit by a random part. No pictures
+/// are taken that contain less than half of the possible light of a frame, except for a video with a rate.
 /// </remarks>
 sealed class SimulatedSweep
 {
@@ -20,6 +20,9 @@ sealed class SimulatedSweep
 
     /// <summary>Number of frames before the first and after the last picture, so that every picture has neighbouring frames.</summary>
     const int Margin = 12;
+
+    /// <summary>Minimum share of the possible light of a frame in a picture. With less light, the headset's code cannot be read.</summary>
+    const double MinLight = 0.5;
 
     const int OrdinaryVertices = 300_000;
 
@@ -42,7 +45,8 @@ sealed class SimulatedSweep
         _framesPerPicture = settings.HeadLatencyMs.HasValue ? FramesPerVideoPicture : FramesPerPicture;
         var display = settings.Display ?? new DisplayPipelineSettings(refreshMs: RefreshMs, plateauMs: settings.VisuMs);
         var pipeline = new DisplayPipeline(settings.Seed, display);
-        var frames = settings.Pictures * _framesPerPicture + 2 * Margin;
+        var framesPerPicture = 1000 / RefreshMs / settings.PicturesPerSecond ?? _framesPerPicture;
+        var frames = (int)Math.Ceiling(settings.Pictures * framesPerPicture) + 2 * Margin;
         var rows = new List<SweepRow>(frames);
         var rendered = new Queue<PipelineFrame>();
         double? renderMs = null;
@@ -58,7 +62,9 @@ sealed class SimulatedSweep
         }
         Rows = rows;
         var random = new RandomStream(settings.Seed, purpose: 1);
-        Moments = [.. Enumerable.Range(0, settings.Pictures).Select(picture => MomentOf(picture, random))];
+        Moments = settings.PicturesPerSecond is double rate
+            ? [.. Video(rate, random)]
+            : [.. Enumerable.Range(0, settings.Pictures).Select(picture => MomentOf(picture, random))];
     }
 
     public IReadOnlyList<SweepRow> Rows { get; }
@@ -103,7 +109,22 @@ sealed class SimulatedSweep
         var frame = Margin + picture * _framesPerPicture + (int)(random.Next() * _framesPerPicture);
         while (IsReplaced(frame)) frame++;
         var exposure = 1 + (_settings.ExposureMs - 1) * random.Next();
-        return new SimulatedMoment(LightOf(frame) + TimeSpan.FromMilliseconds(_settings.LitMs * (random.Next() - 0.5)), exposure, frame);
+        var overlap = _settings.LitMs + exposure - 2 * MinLight * Math.Min(_settings.LitMs, exposure);
+        return new SimulatedMoment(LightOf(frame) + TimeSpan.FromMilliseconds(overlap * (random.Next() - 0.5)), exposure, frame);
+    }
+
+    // The pictures of a video are taken at a fixed rate, also while the display is dark. Their exposures are equal.
+    IEnumerable<SimulatedMoment> Video(double picturesPerSecond, RandomStream random)
+    {
+        var start = LightOf(Margin) + TimeSpan.FromMilliseconds(RefreshMs * random.Next());
+        var frame = Margin;
+        for (var picture = 0; picture < _settings.Pictures; picture++)
+        {
+            var middle = start + TimeSpan.FromSeconds(picture / picturesPerSecond);
+            for (var next = frame + 1; next < _frames.Count - 1 && LightOf(next) < middle + TimeSpan.FromMilliseconds(RefreshMs / 2); next++)
+                if (!IsReplaced(next)) frame = next;
+            yield return new SimulatedMoment(middle, _settings.ExposureMs, frame);
+        }
     }
 
     bool IsReplaced(int frame) => frame + 1 < _frames.Count && _frames[frame].IsReplacedBy(_frames[frame + 1]);

@@ -6,6 +6,12 @@ namespace Nowpose.Cli.Calibrate.Simulate;
 /// <summary>Settings of simulated pictures. Times are in ms.</summary>
 sealed record SimulationSettings
 {
+    /// <summary>
+    /// Settings with which the paper's Fig. 10 can be reproduced. Lit time and exposure are short, because the standard deviation of L_visu in range
+    /// must be below a third of that of an even scatter over a refresh interval, 4.8 ms.
+    /// </summary>
+    public static SimulationSettings Paper { get; } = new() { LitMs = 4, ExposureMs = 1 };
+
     public int Pictures { get; init; } = 300;
 
     /// <summary>L_visu of frames that are ready in time.</summary>
@@ -28,6 +34,12 @@ sealed record SimulationSettings
 
     /// <summary>Maximum exposure time.</summary>
     public double ExposureMs { get; init; } = 8;
+
+    /// <summary>
+    /// Rate of a video, whose pictures are taken at fixed intervals with the maximum exposure time; null for pictures at random times with exposures
+    /// from 1 ms to the maximum.
+    /// </summary>
+    public double? PicturesPerSecond { get; init; }
 
     /// <summary>Readout time of the rolling shutter: delay between the exposures of the first and the last row.</summary>
     public double ReadoutMs { get; init; }

@@ -29,9 +29,12 @@ sealed record PaperCalibration(LatencyProfile Profile, CalibrationPageData Page)
     public static PaperCalibration Of(DemoSettings settings, int picturesPerLoad, CancellationToken cancel, bool showsProgress = true)
     {
         var count = picturesPerLoad * (LoadSteps + 1);
-        var simulation = new SimulationSettings
+        var simulation = SimulationSettings.Paper with
         {
-            Pictures = count, LoadSteps = LoadSteps, Display = DemoDisplay.Settings(settings), Seed = settings.Seed + SeedOffset,
+            Pictures = count,
+            LoadSteps = LoadSteps,
+            Display = DemoDisplay.Settings(settings),
+            Seed = settings.Seed + SeedOffset,
         };
         var sweep = new SimulatedSweep(simulation);
         var camera = new SimulatedCamera(simulation, sweep);

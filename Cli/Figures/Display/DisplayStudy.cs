@@ -46,9 +46,13 @@ sealed class DisplayStudy : IFigureStudy
 
     List<MeasuredPicture> Sweep(DisplayPipelineSettings display, int maxVertices, int run)
     {
-        var sweep = new SimulatedSweep(new SimulationSettings
+        var sweep = new SimulatedSweep(SimulationSettings.Paper with
         {
-            Display = display, LoadSteps = LoadSteps, MaxVertices = maxVertices, Pictures = PicturesPerLoad * (LoadSteps + 1), Seed = 10 * _seed + run,
+            Display = display,
+            LoadSteps = LoadSteps,
+            MaxVertices = maxVertices,
+            Pictures = PicturesPerLoad * (LoadSteps + 1),
+            Seed = 10 * _seed + run,
         });
         return [.. sweep.Moments.Select(sweep.Measured)];
     }

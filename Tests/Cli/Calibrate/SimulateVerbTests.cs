@@ -33,6 +33,18 @@ public sealed class SimulateVerbTests
         Assert.That(check.ErrorP95Ms, Is.LessThan(0.7), all);
     }
 
+    // A picture shows a frame if its exposure overlaps the lit time, so its middle can be before or after the lit time.
+    [Test]
+    public void Moments_LongExposure_ScatterMoreThanTheLitTime()
+    {
+        var sweep = new SimulatedSweep(new SimulationSettings { Pictures = 2000, LoadSteps = 0, LitMs = 4, ExposureMs = 8, Seed = 1 });
+        (double OffsetMs, double ExposureMs)[] moments =
+            [.. sweep.Moments.Select(moment => ((moment.Middle - sweep.LightOf(moment.Frame)).TotalMilliseconds, moment.ExposureMs))];
+
+        Assert.That(moments.Max(moment => Math.Abs(moment.OffsetMs)), Is.GreaterThan(3.5));
+        Assert.That(moments.All(moment => Math.Abs(moment.OffsetMs) < (4 + moment.ExposureMs) / 2), Is.True);
+    }
+
     [Test]
     public void Lines_NoPicture_StateNoShareAndNoError() =>
         Assert.That(new SimulationCheck().Lines(), Is.EqualTo(new[] { SimulationMessages.Read(0, 0, null, 0, SimulationCheck.MisreadMs) }));
