@@ -26,6 +26,11 @@ static class VlcMessages
     public static string NoVisuInSweep(int pictures) =>
         $"L_visu cannot be determined from these {pictures} pictures of the sweep; no profile was written; take more pictures";
 
+    public static string NarrowExposures(double spanMs, double maxErrorMs) =>
+        FormattableString.Invariant($"the exposures cover only {spanMs:0.0} ms of the display's refresh interval: the camera is in step with the ")
+        + FormattableString.Invariant($"display, and L_visu may be wrong by up to {maxErrorMs:0.0} ms. Film at 25 or 50 pictures a second, or take ")
+        + "single pictures, and keep the dark ones";
+
     public const string OnePicture = "one picture is not enough for a profile, so no profile was written; take 30 or more";
 
     public static string Scatters(double? deviationMs) =>

@@ -39,6 +39,8 @@ sealed class VlcEvaluation
         Profile = fit != null
             ? RangeProfile.Of(fit, earlier.Conditions, sensitivity.Source, earlier.Profile?.HeadMotion)
             : WithoutRange(sweep != null, earlier);
+        var span = ExposureSpan.Of(result, Profile?.Spread.TotalMilliseconds, earlier.Conditions.DisplayHz);
+        if (span.IsNarrow) _warnings.Add(VlcMessages.NarrowExposures(span.Ms, span.MaxErrorMs));
         Page = earlier.WithWarnings(fit != null ? RangeProfile.Page("Visible light", Profile, fit, Pictures, Facts(), _warnings) : PlainPage());
     }
 
