@@ -49,7 +49,7 @@ static class HeadVerb
         VlcVerb.ReportRejected(read);
         if (read.Read.Count == 0)
             return cancel.IsCancellationRequested ? ExitStatus.Interrupted : throw new InputException(read.NothingRead());
-        if (ResultOf(read, arguments[0], cancel) is not { } result) return ExitStatus.Interrupted;
+        if (ResultOf(read, arguments[0], cancel, earlier.Conditions.DisplayHz) is not { } result) return ExitStatus.Interrupted;
         var profile = earlier.With(new HeadMotionLatency(result.LatencyMs, result.UncertaintyMs));
         var page = earlier.WithWarnings(HeadPage.Of(result, profile, earlier.Conditions));
         Shared.Finish(parsed, output, profile, page, result.Json, cancel.IsCancellationRequested);
@@ -57,11 +57,11 @@ static class HeadVerb
     }
 
     /// <returns>The result; null if the run was cancelled before enough pictures were read.</returns>
-    internal static HeadResult ResultOf(VlcResult read, string name, CancellationToken cancel)
+    internal static HeadResult ResultOf(VlcResult read, string name, CancellationToken cancel, double? displayHz = null)
     {
         try
         {
-            return InputPlace.In(name, () => new HeadResult(read));
+            return InputPlace.In(name, () => new HeadResult(read, displayHz));
         }
         catch (InputException fault) when (cancel.IsCancellationRequested)
         {

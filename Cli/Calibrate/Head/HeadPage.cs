@@ -39,6 +39,8 @@ static class HeadPage
             yield return HeadMotionMessages.NoProfile;
         if (conditions.Reprojection == ReprojectionMode.Unknown)
             yield return HeadMotionMessages.UnknownReprojection;
+        if (result.Span.IsNarrow)
+            yield return VlcMessages.NarrowExposures(result.Span.Ms, result.Span.MaxErrorMs);
         if (result.UncertaintyMs > MaxUncertaintyMs)
             yield return HeadMotionMessages.Uncertain(result.UncertaintyMs);
         if (profile?.Visualisation.Length.TotalMilliseconds is double still && Math.Abs(still - result.VisuMs) > MaxVisuDifferenceMs)

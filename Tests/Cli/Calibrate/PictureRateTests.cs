@@ -1,4 +1,5 @@
 using Nowpose.Cli.Calibrate;
+using Nowpose.Cli.Calibrate.Head;
 using Nowpose.Cli.Calibrate.Simulate;
 using Nowpose.Cli.Calibrate.Vlc;
 using Nowpose.Cli.Messages;
@@ -20,7 +21,8 @@ public sealed class PictureRateTests
         {
             Pictures = pictures, LoadSteps = 0, ExposureMs = exposureMs, PicturesPerSecond = picturesPerSecond, Seed = seed,
         });
-        return new VlcResult([.. sweep.Moments.Select((moment, i) => sweep.LightOf(moment, moment.Middle).Any(light => light.Frame == moment.Frame && light.Share > 0.25)
+        bool IsLit(SimulatedMoment moment) => sweep.LightOf(moment, moment.Middle).Any(light => light.Frame == moment.Frame && light.Share > 0.25);
+        return new VlcResult([.. sweep.Moments.Select((moment, i) => IsLit(moment)
             ? new PictureResult($"p{i}", moment.Middle.SinceEpoch.TotalMilliseconds % TimestampCode.PeriodMs, 0, sweep.Measured(moment).VisuMs, null)
             : PictureResult.Not($"p{i}", "dark"))]);
     }
@@ -47,5 +49,20 @@ public sealed class PictureRateTests
 
         Assert.That(Warnings(result, 60), Has.None.StartsWith(Start));
         Assert.That(result.Mean, Is.EqualTo(TrueMs).Within(2));
+    }
+
+    [Test]
+    public void HeadResult_CameraInStepWithTheDisplay_UncertaintyIncludesTheErrorOfLVisu()
+    {
+        var pictures = new SwungPictures { LatencyMs = 5 }.Take();
+        // All pictures show the beginning of the light: every picture 3 ms earlier than the middle.
+        var early = new VlcResult([.. new SwungPictures { LatencyMs = 5, ExposureOffsetMs = -3, LitMs = 0.5 }.Take()]);
+
+        var (unknown, known) = (new HeadResult(early), new HeadResult(early, 60));
+
+        Assert.That(Math.Abs(known.LatencyMs - 5), Is.InRange(2.5, known.UncertaintyMs));
+        Assert.That(unknown.UncertaintyMs, Is.LessThan(1), "without the display rate, the error has no bound");
+        Assert.That(HeadPage.Of(unknown, null, new DisplayConditions()).Warnings, Has.Some.StartsWith(Start));
+        Assert.That(HeadPage.Of(new HeadResult(new VlcResult(pictures), 120), null, new DisplayConditions()).Warnings, Has.None.StartsWith(Start));
     }
 }

@@ -5,11 +5,17 @@ namespace Nowpose.Headless.Tests.Cli.Calibrate;
 /// <summary>Simulates the readings of pictures of a headset that swings back and forth with its camera, without rendering the pictures.</summary>
 sealed record SwungPictures
 {
-    const double RefreshMs = 1000 / 59.94, LitMs = 4, Side = 120;
+    const double RefreshMs = 1000 / 59.94, Side = 120;
 
     public double LatencyMs { get; init; }
 
     public double VisuMs { get; init; } = 40;
+
+    /// <summary>Time over which the middles of the exposures are distributed, ms.</summary>
+    public double LitMs { get; init; } = 4;
+
+    /// <summary>Mean time of the exposures relative to the middle of the light, ms.</summary>
+    public double ExposureOffsetMs { get; init; }
 
     public double AmplitudePx { get; init; } = 150;
 
@@ -43,7 +49,7 @@ sealed record SwungPictures
         {
             var start = 1000 + 2 * i * RefreshMs;
             var light = start + VisuMs;
-            var middle = light + LitMs * (random.NextDouble() - 0.5);
+            var middle = light + ExposureOffsetMs + LitMs * (random.NextDouble() - 0.5);
             double control = PlaceAt(middle - LaterMs) + Noise();
             double shown = PlaceAt(light - LatencyMs);
             var headset = 200 + Scale * shown + Distortion * shown * shown + Noise();
