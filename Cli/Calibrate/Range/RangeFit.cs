@@ -25,6 +25,9 @@ static class RangeFit
     /// <summary>Tolerance around the plateau, in standard deviations.</summary>
     const double Deviations = 3.5;
 
+    /// <summary>Resolution of the codes, ms.</summary>
+    const double ResolutionMs = 1;
+
     /// <summary>Maximum standard deviation of a plateau, ms. A 30 Hz display that is lit continuously has 9.6 ms.</summary>
     const double MaxSpreadMs = 10;
 
@@ -62,21 +65,24 @@ static class RangeFit
         if (pairs.Count < MinPairs)
             throw new InputException(RangeMessages.TooFewPairs(pairs.Count, MinPairs));
         var sorted = pairs.OrderBy(pair => pair.RenderMs).ThenBy(pair => pair.VisuMs).ToArray();
-        var plateau = PlateauOf(sorted.Take(Math.Max(MinPairs / 2, (int)(SeedShare * sorted.Length))));
+        var refreshMs = 1000 / origin?.Conditions.DisplayHz;
+        var plateau = PlateauOf(sorted.Take(Math.Max(MinPairs / 2, (int)(SeedShare * sorted.Length))), refreshMs);
         var good = new bool[sorted.Length];
         var isLast = sorted.Select((pair, i) => i == sorted.Length - 1 || sorted[i + 1].RenderMs > pair.RenderMs).ToArray();
         var nearest = double.PositiveInfinity;
+        // A frame that is one refresh late is not good, however much the pictures scatter.
+        var halfRefresh = Math.Max(MinToleranceMs, refreshMs / 2 - ResolutionMs ?? double.PositiveInfinity);
         var split = default(RangeSplit);
         for (var round = 0; round < MaxRounds; round++)
         {
-            var tolerance = Math.Min(Math.Max(MinToleranceMs, Deviations * plateau.Deviation), nearest);
+            var tolerance = Math.Min(Math.Max(MinToleranceMs, Deviations * plateau.Deviation), Math.Min(nearest, halfRefresh));
             for (var i = 0; i < sorted.Length; i++) good[i] = Math.Abs(sorted[i].VisuMs - plateau.Centre) <= tolerance;
             var before = split.Count;
             split = RangeSplit.Find(good, isLast);
             var inside = sorted.Take(split.Count).Where((_, i) => good[i]).ToArray();
             if (inside.Length < MinPairs / 2)
                 throw new InputException(RangeMessages.NoPlateau);
-            plateau = PlateauOf(inside);
+            plateau = PlateauOf(inside, refreshMs);
             // A tolerance of half the distance between both medians keeps the pairs beyond the limit out of the plateau.
             if (split.IsReached) nearest = Math.Max(MinToleranceMs, Math.Abs(Median(Visu(sorted.Skip(split.Count))) - plateau.Centre) / 2);
             if (split.Count == before && round > 1) break;
@@ -110,11 +116,13 @@ static class RangeFit
 
     static double Median(IEnumerable<double> values) => Quantile.Of(values, 0.5);
 
-    // Returns the constant L_visu within the range: median and robust standard deviation, ms.
-    static (double Centre, double Deviation) PlateauOf(IEnumerable<LatencyPair> pairs)
+    // Returns the constant L_visu within the range: centre and robust standard deviation, ms. If each frame is scanned twice, the median is in one of
+    // the scans, and the mean of the pictures within a refresh interval is between them.
+    static (double Centre, double Deviation) PlateauOf(IEnumerable<LatencyPair> pairs, double? refreshMs)
     {
         var visu = Visu(pairs).ToArray();
         var centre = Median(visu);
+        if (refreshMs.HasValue) centre = visu.Where(each => Math.Abs(each - centre) <= refreshMs).Average();
         return (centre, Quantile.DeviationOf(visu.Select(each => each - centre)));
     }
 }

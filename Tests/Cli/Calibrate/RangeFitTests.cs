@@ -2,6 +2,7 @@ using Nowpose.Cli.Calibrate.Range;
 using Nowpose.Cli.Calibrate.Simulate;
 using Nowpose.Cli.Messages;
 using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
 using Nowpose.Simulation;
 using NUnit.Framework;
 
@@ -38,6 +39,29 @@ public class RangeFitTests
         {
             var sweep = new SimulatedSweep(new SimulationSettings { LoadSteps = 20, Pictures = 21 * perLoad, Seed = seed });
             return RangeFit.Fit(sweep.Moments.Select(sweep.Measured)).LimitRenderMs ?? 0;
+        }).Order().ToArray();
+        var trueLimitMs = SimulatedSweep.RefreshMs - 1.5;
+
+        Assert.That(
+            limits.Count(limit => limit >= 0.94 * trueLimitMs && limit <= 1.02 * trueLimitMs), Is.GreaterThanOrEqualTo(minCount),
+            "limits " + string.Join(" ", limits.Select(limit => limit.ToString("0.00"))));
+    }
+
+    // A display that scans each frame twice, with an exposure of 8 ms: a frame is seen in one scan or the other, half a refresh interval apart.
+    [TestCase(20, 100, 95)]
+    [TestCase(10, 100, 95)]
+    [TestCase(10, 30, 90)]
+    public void Fit_FramesScannedTwice_ErrsByMinusSixToPlusTwoPercent(int loadSteps, int perLoad, int minCount)
+    {
+        var origin = new PairOrigin(RenderTimeSourceKind.DisplayGpuTime, new DisplayConditions(displayHz: 60));
+        var limits = Enumerable.Range(1, 100).Select(seed =>
+        {
+            var sweep = new SimulatedSweep(new SimulationSettings { LoadSteps = loadSteps, Pictures = (loadSteps + 1) * perLoad, Seed = seed });
+            var random = new Random(seed);
+            var pairs = sweep.Moments.Where(moment => sweep.Rows[moment.Frame].RenderMs.HasValue).Select(moment => new LatencyPair(
+                sweep.Rows[moment.Frame].RenderMs.Value, (sweep.LightOf(moment.Frame) - sweep.StartOf(moment.Frame)).TotalMilliseconds
+                    + SimulatedSweep.RefreshMs * (random.Next(2) == 0 ? -0.25 : 0.25) + 6.3 * (random.NextDouble() - 0.5))).ToArray();
+            return RangeFit.Fit(pairs, origin).LimitRenderMs ?? 0;
         }).Order().ToArray();
         var trueLimitMs = SimulatedSweep.RefreshMs - 1.5;
 
