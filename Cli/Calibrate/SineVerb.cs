@@ -32,6 +32,9 @@ static class SineVerb
     static readonly Option<double?> Configured = NumberOption.CreateOptional(
         "--visu-ms", "If the recording shows the gripper (compensation on): L_visu that the headset used; the measured lag is the error of this "
             + "value", 0.0, 500, "ms");
+    static readonly Option<double?> Exposure = NumberOption.CreateOptional(
+        "--exposure-ms", "Exposure time of the camera; half of it bounds the error of a camera in step with the display. Default: the camera's interval",
+        0.0, 1000, "ms");
     static readonly Option<double?> Former = FormerVisuOption.Create(Configured);
     static readonly Option<string> Earlier = EarlierProfile.Option();
     static readonly CalibrationOptions Shared = new();
@@ -40,7 +43,7 @@ static class SineVerb
     {
         var verb = new Command("sine", "Estimate the end-to-end latency from a filmed jog back and forth. A phone's camera is sufficient.")
         {
-            Recording, Columns, Control, Joint, RobotBox, HologramBox, Inverted, Application, Sampling, Configured, Former, Earlier,
+            Recording, Columns, Control, Joint, RobotBox, HologramBox, Inverted, Application, Sampling, Configured, Exposure, Former, Earlier,
         };
         Shared.AddTo(verb);
         verb.SetAction(RunAsync);
@@ -71,7 +74,7 @@ static class SineVerb
         }
         // Long tables take seconds.
         if (!isVideo) cancel.ThrowIfCancellationRequested();
-        var result = new SineResult(tracks, lag, way);
+        var result = new SineResult(tracks, lag, way, new SineCamera(parsed.GetValue(Exposure), earlier.Conditions.DisplayHz));
         var output = Shared.Output(parsed);
         var profile = result.VisuMs is double visuMs ? earlier.With(visuMs, result.DeviationMs, CalibrationMethod.Sine, measurements: 1) : null;
         var page = earlier.WithWarnings(SinePage.Of(result, profile, path));

@@ -35,7 +35,11 @@ static class SineMessages
 
     public static string SteppedGhost(double? heldMs, double errorMs) =>
         FormattableString.Invariant($"the ghost moves every {heldMs:0.##} ms, in step with the frames of the video: the result may be wrong by ")
-        + FormattableString.Invariant($"up to {errorMs:0.0} ms; film the gripper instead (--visu-ms), or film at another frame rate");
+        + FormattableString.Invariant($"up to {errorMs:0.0} ms; film at another frame rate");
+
+    public static string SteadyFlashes(double picturesPerSecond, double errorMs) =>
+        FormattableString.Invariant($"{picturesPerSecond:0.##} pictures a second are in step with the display: the result may be wrong by up to ")
+        + FormattableString.Invariant($"{errorMs:0.0} ms; film at 25 or 50 pictures a second, or with a short exposure, stated with --exposure-ms");
 
     public static string StandardError(double deviationMs) =>
         FormattableString.Invariant($"the standard error is {deviationMs:0.0} ms: jog farther or faster, or film longer, to get below ± 3 ms");

@@ -26,12 +26,14 @@ static class SinePage
 
     static IEnumerable<string> WarningsOf(SineResult result, LatencyProfile profile)
     {
-        const double CertainMs = 1.5;
+        const double CertainMs = 1.5, MaxFlashMs = 3;
         if (profile == null) yield return SineMessages.NoProfile;
+        if (result.FlashMs > MaxFlashMs)
+            yield return SineMessages.SteadyFlashes(1 / result.Tracks.Interval, result.FlashMs);
         if (result.StepsMs > CertainMs)
             yield return SineMessages.SteppedGhost(result.Way.HeldMs, result.StepsMs);
-        else if (result.DeviationMs > CertainMs)
-            yield return SineMessages.StandardError(result.DeviationMs);
+        else if (1000 * result.Lag.Deviation > CertainMs)
+            yield return SineMessages.StandardError(1000 * result.Lag.Deviation);
     }
 
     static string Sentence(SineResult result) => result.VisuMs is double visu

@@ -1,18 +1,22 @@
 namespace Nowpose.Cli.Calibrate.Sine;
 
 /// <summary>The result of a back-and-forth jog.</summary>
-sealed record SineResult(SineTracks Tracks, LagEstimate Lag, SineWay Way)
+sealed record SineResult(SineTracks Tracks, LagEstimate Lag, SineWay Way, SineCamera Camera)
 {
     public double TotalMs => 1000 * Lag.LagSeconds;
 
     /// <summary>
     /// Standard error of <see cref="TotalMs"/> and <see cref="VisuMs"/>. For a hologram that is held between samples, it includes the error
-    /// of the mean age, which is distributed uniformly within ±<see cref="StepsMs"/>.
+    /// of the mean age, which is distributed uniformly within ±<see cref="StepsMs"/>. For the display, which is lit for a part of the exposure, it
+    /// includes an error within ±<see cref="FlashMs"/>.
     /// </summary>
-    public double DeviationMs => Math.Sqrt(Lag.Deviation * Lag.Deviation * 1e6 + StepsMs * StepsMs / 3);
+    public double DeviationMs => Math.Sqrt(Lag.Deviation * Lag.Deviation * 1e6 + (StepsMs * StepsMs + FlashMs * FlashMs) / 3);
 
     /// <summary>Maximum difference between T_s/2 and the mean age of the positions in the pictures, ms; 0 if positions are not held.</summary>
     public double StepsMs => Way.HeldMs is double held ? HeldSteps.MaxErrorMs(held, 1000 * Tracks.Interval, Tracks.Shown.Length) : 0;
+
+    /// <summary>Maximum difference between the mean time at which the display is lit during the exposures and their middles, ms.</summary>
+    public double FlashMs => Camera.MaxFlashErrorMs(1000 * Tracks.Interval, Tracks.Shown.Length);
 
     /// <summary>L_visu, ms; null if it was not requested.</summary>
     public double? VisuMs => TotalMs - Way.KnownMs;

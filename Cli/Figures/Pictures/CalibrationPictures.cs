@@ -12,7 +12,7 @@ static class CalibrationPictures
     public static IEnumerable<(string File, FigurePlot Plot)> All()
     {
         var jog = Jog();
-        var sine = new SineResult(jog, LagEstimator.Of(jog), SineWay.Of(null, 50, null));
+        var sine = new SineResult(jog, LagEstimator.Of(jog), SineWay.Of(null, 50, null), new SineCamera());
         var motions = SinePage.Motions(sine).Plots[0];
         yield return ("sine.svg", motions with { Traces = [.. motions.Traces.Take(2)] });
         yield return ("sine-correlation.svg", SinePage.Correlations(sine).Plots[0]);

@@ -75,7 +75,44 @@ public class SineVerbTests : CalibrationFolder
         }
     }
 
-    // The error is up to half the interval between pictures, 8.3 ms, with an unknown sign.
+    // The display is lit for 4 ms of each refresh, at the same moment of each exposure. The hologram is in time.
+    static IEnumerable<string> Flashed(double fps, double phaseMs)
+    {
+        const double RefreshHz = 60, LitMs = 4;
+        double Place(double ms) => 150 * Math.Sin(2 * Math.PI * ms / 2500);
+        yield return "t_s,robot_px,hologram_px";
+        for (var i = 0; i < 12 * fps; i++)
+        {
+            double middle = 1000 * i / fps + phaseMs, from = middle - 500 / fps, to = middle + 500 / fps, sum = 0, weight = 0;
+            for (var flash = Math.Floor(from * RefreshHz / 1000) - 1; flash * 1000 / RefreshHz < to + LitMs; flash++)
+            {
+                var at = flash * 1000 / RefreshHz;
+                var lit = Math.Max(0, Math.Min(to, at + LitMs / 2) - Math.Max(from, at - LitMs / 2));
+                (sum, weight) = (sum + lit * Place(at), weight + lit);
+            }
+            yield return string.Create(CultureInfo.InvariantCulture, $"{i / fps:0.######},{Place(middle):0.###},{sum / weight:0.###}");
+        }
+    }
+
+    [TestCase(60, 4)]
+    [TestCase(60, 7)]
+    [TestCase(30, 4)]
+    [TestCase(25, 1)]
+    public async Task Sine_CameraInStepWithTheDisplay_UncertaintyCoversTheError(double fps, double phaseMs)
+    {
+        var result = JsonDocument.Parse((await CliRun.OfAsync(
+            "calibrate", "sine", Write("jog.csv", Flashed(fps, phaseMs)), "--visu-ms", "40", "--json", "--out", Out)).Output).RootElement;
+
+        var (error, deviation) = (Math.Abs(result.GetProperty("visu_ms").GetDouble() - 40), result.GetProperty("total_sd_ms").GetDouble());
+        Assert.That(error, Is.LessThanOrEqualTo(Math.Sqrt(3) * deviation));
+        Assert.That(deviation, fps == 25 ? Is.LessThan(1.5) : Is.LessThan(5), "the bound is not wider than the exposure");
+    }
+
+    [Test]
+    public async Task Sine_ShortExposure_HasASmallUncertainty() =>
+        Assert.That((await Measured(new Jog(12), "--visu-ms", "30", "--exposure-ms", "2")).GetProperty("total_sd_ms").GetDouble(), Is.LessThan(1));
+
+    // The error is up to half the interval between pictures, 8.3 ms, with an unknown sign. The exposure is short.
     [TestCase(50, 8.3)]
     [TestCase(41.667, 4.2)]
     [TestCase(47, 0)]
@@ -86,7 +123,7 @@ public class SineVerbTests : CalibrationFolder
             var jog = new Jog(95 + samplingMs / 2) { SamplingMs = samplingMs, Seed = seed };
             var sampling = samplingMs.ToString(CultureInfo.InvariantCulture);
             var run = await CliRun.OfAsync(
-                "calibrate", "sine", Write("jog.csv", jog.Lines()), "--app-ms", "60", "--sampling-ms", sampling, "--json", "--out", Out);
+                "calibrate", "sine", Write("jog.csv", jog.Lines()), "--app-ms", "60", "--sampling-ms", sampling, "--exposure-ms", "0", "--json", "--out", Out);
 
             Assert.That(run.ExitStatus, Is.Zero, run.Errors);
             var result = JsonDocument.Parse(run.Output).RootElement;
