@@ -35,6 +35,7 @@ static class SineVerb
     static readonly Option<double?> Exposure = NumberOption.CreateOptional(
         "--exposure-ms", "Exposure time of the camera; half of it bounds the error of a camera in step with the display. Default: the camera's interval",
         0.0, 1000, "ms");
+    static readonly Option<double> Readout = VlcVerb.ReadoutOption();
     static readonly Option<double?> Former = FormerVisuOption.Create(Configured);
     static readonly Option<string> Earlier = EarlierProfile.Option();
     static readonly CalibrationOptions Shared = new();
@@ -43,7 +44,7 @@ static class SineVerb
     {
         var verb = new Command("sine", "Estimate the end-to-end latency from a filmed jog back and forth. A phone's camera is sufficient.")
         {
-            Recording, Columns, Control, Joint, RobotBox, HologramBox, Inverted, Application, Sampling, Configured, Exposure, Former, Earlier,
+            Recording, Columns, Control, Joint, RobotBox, HologramBox, Inverted, Application, Sampling, Configured, Exposure, Readout, Former, Earlier,
         };
         Shared.AddTo(verb);
         verb.SetAction(RunAsync);
@@ -56,12 +57,13 @@ static class SineVerb
         var way = SineWay.Of(parsed.GetValue(Application), parsed.GetValue(Sampling), parsed.GetValue(Configured) ?? parsed.GetValue(Former));
         var earlier = await Invocation.ReadAsync(() => EarlierProfile.Read(parsed.GetValue(Earlier), Shared.Conditions(parsed)), cancel);
         var isVideo = PictureFiles.IsVideo(path);
+        if (!isVideo && parsed.GetValue(Readout) != 0) throw new InputException(SineMessages.ReadoutOfTable);
         SineTracks tracks;
         LagEstimate lag;
         try
         {
             tracks = isVideo
-                ? FilmedJog.Track(path, parsed.GetValue(RobotBox), parsed.GetValue(HologramBox), cancel)
+                ? FilmedJog.Track(path, parsed.GetValue(RobotBox), parsed.GetValue(HologramBox), parsed.GetValue(Readout), cancel)
                 : await Invocation.ReadAsync(() => Table(parsed, path), cancel);
             if (parsed.GetValue(Inverted)) tracks = tracks with { Shown = [.. tracks.Shown.Select(each => -each)] };
             lag = InputPlace.In(path, () => LagEstimator.Of(tracks));

@@ -31,6 +31,9 @@ static class SineMessages
         FormattableString.Invariant($"recording: the motion repeats after {periodSeconds:0.00} s, so the lag is ambiguous; jog more ")
         + "slowly, with a period of 2 s or more";
 
+    public const string ReadoutOfTable =
+        "--readout-ms needs a video, because a table does not contain the heights of robot and hologram; film both at the same height";
+
     public const string NoProfile = "no profile was written: state which part of the lag is L_visu with --app-ms or --visu-ms";
 
     public static string SteppedGhost(double? heldMs, double errorMs) =>

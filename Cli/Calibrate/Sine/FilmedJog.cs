@@ -12,19 +12,22 @@ static class FilmedJog
     const double MinScore = 0.5;
 
     /// <summary>Tracks both patches to the end of the video, or until the user cancels.</summary>
+    /// <param name="readoutMs">Time between the exposures of the first and the last row, ms.</param>
     /// <exception cref="OperationCanceledException">The user cancelled before the first picture.</exception>
     /// <exception cref="InputException">A box is missing or outside the picture, a patch is lost, or the video cannot be read.</exception>
-    public static SineTracks Track(string path, PictureBox? robotBox, PictureBox? hologramBox, CancellationToken cancel)
+    public static SineTracks Track(string path, PictureBox? robotBox, PictureBox? hologramBox, double readoutMs, CancellationToken cancel)
     {
         PictureBox robot = Required(robotBox, "--robot-box"), hologram = Required(hologramBox, "--hologram-box");
         var times = VideoFrames.TimesOf(path);
         var places = new List<IReadOnlyList<TrackedPlace>>(times.Length);
+        var rows = 0;
         using var tracker = new MotionTracker([robot, hologram]);
         ConsoleProgress.Run(SinePageTexts.Tracking, "pictures", times.Length, report =>
         {
             foreach (var (width, height, bytes) in VideoFrames.Read(path))
             {
                 if (places.Count == times.Length || cancel.IsCancellationRequested) break;
+                rows = height;
                 if (places.Count == 0) RequireWithin(robot, width, height, "--robot-box");
                 if (places.Count == 0) RequireWithin(hologram, width, height, "--hologram-box");
                 places.Add(tracker.Follow(width, height, bytes));
@@ -35,7 +38,8 @@ static class FilmedJog
         if (places.Count == 0) cancel.ThrowIfCancellationRequested();
         var axis = MotionAxis.Of([.. places.Select(each => (each[0].X, each[0].Y))]);
         double[] Along(int patch) => [.. places.Select(each => axis.LengthOf((each[patch].X, each[patch].Y), default))];
-        return SineTracks.Of(times[..places.Count], Along(0), Along(1), path);
+        var lower = places.Average(each => each[1].Y - each[0].Y);
+        return SineTracks.Of(times[..places.Count], Along(0), Along(1), path) with { LaterMs = readoutMs * lower / rows };
     }
 
     static PictureBox Required(PictureBox? box, string option) => box ?? throw new InputException(SineMessages.NoBox(option));

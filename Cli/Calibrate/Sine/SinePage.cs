@@ -57,7 +57,7 @@ static class SinePage
         [new("Over the lag", Lag, Correlation, [new("correlation", Looks.Adaptive,
             [.. result.Lag.Lags.Select(each => 1000 * each)], [.. result.Lag.Correlations.Select(each => (double?)each)])])
         {
-            Marks = [new(FormattableString.Invariant($"{result.TotalMs:0.0} ms"), result.TotalMs)],
+            Marks = [new(FormattableString.Invariant($"{1000 * result.Lag.LagSeconds:0.0} ms"), 1000 * result.Lag.LagSeconds)],
         }]);
 
     static double?[] Scaled(double[] places)

@@ -3,7 +3,8 @@ namespace Nowpose.Cli.Calibrate.Sine;
 /// <summary>The result of a back-and-forth jog.</summary>
 sealed record SineResult(SineTracks Tracks, LagEstimate Lag, SineWay Way, SineCamera Camera)
 {
-    public double TotalMs => 1000 * Lag.LagSeconds;
+    /// <summary>Time by which the hologram is behind the robot at the same moment, ms.</summary>
+    public double TotalMs => 1000 * Lag.LagSeconds + Tracks.LaterMs;
 
     /// <summary>
     /// Standard error of <see cref="TotalMs"/> and <see cref="VisuMs"/>. For a hologram that is held between samples, it includes the error

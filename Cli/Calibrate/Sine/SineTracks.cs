@@ -13,6 +13,9 @@ sealed record SineTracks(double Start, double Interval, double[] Robot, double[]
 {
     const int MinInstants = 60;
 
+    /// <summary>Time by which a rolling shutter exposes the hologram later than the robot, ms.</summary>
+    public double LaterMs { get; init; }
+
     /// <summary>Reads both tracks from one recording.</summary>
     /// <param name="columns">Names of the two columns. If null, the file must have exactly two columns of positions, the robot's first.</param>
     public static SineTracks Of(string path, string columns)

@@ -65,6 +65,20 @@ public class FilmedJogTests : VideoFolder
         Assert.That(JsonDocument.Parse(run.Output).RootElement.GetProperty("total_ms").GetDouble(), Is.EqualTo(LagMs).Within(3));
     }
 
+    // A camera that needs 20 ms for its rows exposes the lower patch later, when the hologram has moved on.
+    [Test]
+    public async Task Sine_ReadOutTime_CorrectsTheHeightsOfThePatches()
+    {
+        var video = Video();
+
+        var run = await CliRun.OfAsync(
+            "calibrate", "sine", video, "--robot-box", Box(RobotAt(0.002)), "--hologram-box", Box(HologramAt(0.002)), "--readout-ms", "20", "--json", "--out", Out);
+
+        Assert.That(run.ExitStatus, Is.Zero, run.Errors);
+        const double LaterMs = 20.0 * (112 - 36) / Height;
+        Assert.That(JsonDocument.Parse(run.Output).RootElement.GetProperty("total_ms").GetDouble(), Is.EqualTo(LagMs + LaterMs).Within(3));
+    }
+
     [Test]
     public async Task Sine_FfmpegOlderThanVersion5Point1_UsesTheOldOption()
     {

@@ -75,6 +75,10 @@ public class SineVerbTests : CalibrationFolder
         }
     }
 
+    [Test]
+    public async Task Sine_ReadOutTimeWithATable_Fails() => Assert.That(
+        await RefusalOf("sine", Write("jog.csv", new Jog(90).Lines()), "--readout-ms", "20"), Is.EqualTo(ConsoleMessages.Line(SineMessages.ReadoutOfTable)));
+
     // The display is lit for 4 ms of each refresh, at the same moment of each exposure. The hologram is in time.
     static IEnumerable<string> Flashed(double fps, double phaseMs)
     {
