@@ -33,7 +33,8 @@ static class SineVerb
         "--visu-ms", "If the recording shows the gripper (compensation on): L_visu that the headset used; the measured lag is the error of this "
             + "value", 0.0, 500, "ms");
     static readonly Option<double?> Exposure = NumberOption.CreateOptional(
-        "--exposure-ms", "Exposure time of the camera; half of it bounds the error of a camera in step with the display. Default: the camera's interval",
+        "--exposure-ms",
+        "Exposure time of the camera; half of it bounds the error of a camera in step with the display. Default: the camera's interval",
         0.0, 1000, "ms");
     static readonly Option<double> Readout = VlcVerb.ReadoutOption();
     static readonly Option<double?> Former = FormerVisuOption.Create(Configured);
@@ -44,7 +45,8 @@ static class SineVerb
     {
         var verb = new Command("sine", "Estimate the end-to-end latency from a filmed jog back and forth. A phone's camera is sufficient.")
         {
-            Recording, Columns, Control, Joint, RobotBox, HologramBox, Inverted, Application, Sampling, Configured, Exposure, Readout, Former, Earlier,
+            Recording, Columns, Control, Joint, RobotBox, HologramBox, Inverted, Application, Sampling, Configured, Exposure, Readout, Former,
+            Earlier,
         };
         Shared.AddTo(verb);
         verb.SetAction(RunAsync);

@@ -27,5 +27,11 @@ static class SinePageTexts
     public static string NotCompensated(double applicationMs, double halfSamplingMs) =>
         FormattableString.Invariant($"not compensated: L_app {applicationMs:0.##} ms and half of T_s, {halfSamplingMs:0.##} ms, are subtracted");
 
+    public const string PeriodLabel = "Period of the jog";
+
+    public static string Period(double? seconds) => seconds is double known
+        ? FormattableString.Invariant($"{known:0.0} s in the recording; if this is not the period of your jog, the times of the recording are wrong")
+        : "longer than the recording";
+
     public const string TotalOnly = "the total latency only";
 }

@@ -14,6 +14,7 @@ static class SinePage
     public static CalibrationPageData Of(SineResult result, LatencyProfile profile, string path) => new(SinePageTexts.Title, Sentence(result),
         [
             ["Total latency", Ms(result.TotalMs)], ["Standard error", Ms(result.DeviationMs)], .. profile == null ? [] : ProfileFacts.Of(profile),
+            [SinePageTexts.PeriodLabel, SinePageTexts.Period(result.PeriodSeconds)],
             ["Correlation", result.Lag.Correlation.ToString("0.0000", CultureInfo.InvariantCulture)],
             ["Pictures", result.Tracks.Shown.Length.ToString(CultureInfo.InvariantCulture)],
             ["Camera", (1 / result.Tracks.Interval).ToString("0.##", CultureInfo.InvariantCulture) + " per second"],

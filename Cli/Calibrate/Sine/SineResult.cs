@@ -19,8 +19,14 @@ sealed record SineResult(SineTracks Tracks, LagEstimate Lag, SineWay Way, SineCa
     /// <summary>Maximum difference between the mean time at which the display is lit during the exposures and their middles, ms.</summary>
     public double FlashMs => Camera.MaxFlashErrorMs(1000 * Tracks.Interval, Tracks.Shown.Length);
 
+    /// <summary>Period of the jog, s; null if the recording contains no complete period.</summary>
+    public double? PeriodSeconds => JogPeriod.Of(Tracks.Robot) * Tracks.Interval;
+
     /// <summary>L_visu, ms; null if it was not requested.</summary>
     public double? VisuMs => TotalMs - Way.KnownMs;
 
-    public string Json() => JsonText.Of(new { TotalMs, TotalSdMs = DeviationMs, VisuMs, Lag.Correlation, Pictures = Tracks.Shown.Length });
+    public string Json() => JsonText.Of(new
+    {
+        TotalMs, TotalSdMs = DeviationMs, VisuMs, Lag.Correlation, Pictures = Tracks.Shown.Length, period_s = PeriodSeconds,
+    });
 }

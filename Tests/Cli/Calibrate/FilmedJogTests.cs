@@ -72,7 +72,8 @@ public class FilmedJogTests : VideoFolder
         var video = Video();
 
         var run = await CliRun.OfAsync(
-            "calibrate", "sine", video, "--robot-box", Box(RobotAt(0.002)), "--hologram-box", Box(HologramAt(0.002)), "--readout-ms", "20", "--json", "--out", Out);
+            "calibrate", "sine", video, "--robot-box", Box(RobotAt(0.002)), "--hologram-box", Box(HologramAt(0.002)),
+            "--readout-ms", "20", "--json", "--out", Out);
 
         Assert.That(run.ExitStatus, Is.Zero, run.Errors);
         const double LaterMs = 20.0 * (112 - 36) / Height;

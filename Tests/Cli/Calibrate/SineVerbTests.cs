@@ -75,9 +75,20 @@ public class SineVerbTests : CalibrationFolder
         }
     }
 
+    // A player that stretches slow-motion video eight times also stretches the lag and the period.
+    [Test]
+    public async Task Sine_AnyRecording_StatesThePeriodOfTheJog()
+    {
+        var result = await Measured(new Jog(12) { Period = 2.5, Seconds = 14 });
+
+        Assert.That(result.GetProperty("period_s").GetDouble(), Is.EqualTo(2.5).Within(0.05));
+        Assert.That(await File.ReadAllTextAsync(Path.Combine(Out, "calibration.html")), Does.Contain(SinePageTexts.Period(2.5)));
+    }
+
     [Test]
     public async Task Sine_ReadOutTimeWithATable_Fails() => Assert.That(
-        await RefusalOf("sine", Write("jog.csv", new Jog(90).Lines()), "--readout-ms", "20"), Is.EqualTo(ConsoleMessages.Line(SineMessages.ReadoutOfTable)));
+        await RefusalOf("sine", Write("jog.csv", new Jog(90).Lines()), "--readout-ms", "20"),
+        Is.EqualTo(ConsoleMessages.Line(SineMessages.ReadoutOfTable)));
 
     // The display is lit for 4 ms of each refresh, at the same moment of each exposure. The hologram is in time.
     static IEnumerable<string> Flashed(double fps, double phaseMs)
@@ -127,7 +138,8 @@ public class SineVerbTests : CalibrationFolder
             var jog = new Jog(95 + samplingMs / 2) { SamplingMs = samplingMs, Seed = seed };
             var sampling = samplingMs.ToString(CultureInfo.InvariantCulture);
             var run = await CliRun.OfAsync(
-                "calibrate", "sine", Write("jog.csv", jog.Lines()), "--app-ms", "60", "--sampling-ms", sampling, "--exposure-ms", "0", "--json", "--out", Out);
+                "calibrate", "sine", Write("jog.csv", jog.Lines()), "--app-ms", "60", "--sampling-ms", sampling, "--exposure-ms", "0",
+                "--json", "--out", Out);
 
             Assert.That(run.ExitStatus, Is.Zero, run.Errors);
             var result = JsonDocument.Parse(run.Output).RootElement;
