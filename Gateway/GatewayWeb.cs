@@ -59,7 +59,7 @@ static class GatewayWeb
         // The first timeout starts with the first byte of a request; the second limits the time before that byte.
         kestrel.Limits.RequestHeadersTimeout = kestrel.Limits.KeepAliveTimeout = options.TokenTimeout;
         // Allows additional connections before authentication, so that a rejected client still receives a response.
-        kestrel.Limits.MaxConcurrentConnections = 
+        kestrel.Limits.MaxConcurrentConnections =
             (long)options.MaxConnections + GatewayOptions.ReservedConnections + options.MaxPendingInAll + ClosingConnections;
         // Applies to pages and other responses. For WebSockets, RosbridgeConnection handles slow readers.
         kestrel.Limits.MinResponseDataRate = new MinDataRate(options.AnswerBytesPerSecond, AnswerGrace);

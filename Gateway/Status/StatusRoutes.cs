@@ -53,7 +53,8 @@ sealed class StatusRoutes(GatewayStatus status, AccessControl accessControl)
         var effective = accessControl.IsOperator(context) ? Role.Operator : role;
         var state = await _state.GetAsync() with
         {
-            Role = effective.ToString().ToLowerInvariant(), IsLoggedIn = accessControl.LoginOf(context) != null,
+            Role = effective.ToString().ToLowerInvariant(),
+            IsLoggedIn = accessControl.LoginOf(context) != null,
         };
         await SendAsync(context, "application/json", JsonSerializer.SerializeToUtf8Bytes(state, Snake));
     }

@@ -54,7 +54,7 @@ public sealed partial class MessageCatalogueTests
     /// </summary>
     static readonly Dictionary<string, string[]> OtherStatuses = new()
     {
-        ["AccessMessages"] = ["ClosedForNewer", "FormerContentUsed", "OperatorOnlyLog", "OtherLinesUsed", "Refused", "TooManyWrongLog"],
+        ["AccessMessages"] = ["ClosedForNewer", "FormerContentUsed", "OtherLinesUsed", "Refused", "TooManyWrongLog"],
         ["AdapterMessages"] = ["Ended"],
         ["AppearanceMessages"] = ["NoMaterial", "NotFadeable"],
         ["BaseMessages"] =

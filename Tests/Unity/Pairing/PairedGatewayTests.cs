@@ -86,7 +86,7 @@ public class PairedGatewayTests
         RestartPlaying();
         await SoonAsync(() => IsConnected, "connected again");
         Assert.That(_pairing.Question, Is.Null);
-        Assert.That(_gateway.Log.Count(line => line.Contains("received a token")), Is.EqualTo(1), "the headset connects with its stored token");
+        Assert.That(_gateway.Log.Count(line => line.StartsWith(PairingServiceMessages.TokenGiven, StringComparison.Ordinal)), Is.EqualTo(1), "the headset connects with its stored token");
     }
 
     [Test]

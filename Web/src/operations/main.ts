@@ -88,7 +88,7 @@ async function read(): Promise<void> {
   if (own !== asked) return;
   answeredAt = Date.now();
   isRefused = 'trouble' in answer && answer.status === 401;
-  login.show(isRefused, 'value' in answer ? answer.value.is_logged_in ?? false : !isRefused && login.isLoggedIn);
+  login.show(isRefused, 'value' in answer ? (answer.value.is_logged_in ?? false) : !isRefused && login.isLoggedIn);
   if (isRefused) {
     link.close();
     hidePairing();

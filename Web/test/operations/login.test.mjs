@@ -62,4 +62,18 @@ describe('the log-in', () => {
     await first.waitForSelector('#login', { state: 'visible' });
     await second.close();
   });
+
+  it('can be ended while the gateway does not respond', async () => {
+    gateway.token = 'open-sesame';
+    const page = await open({}, false);
+    await page.fill('#token-text', 'open-sesame');
+    await page.keyboard.press('Enter');
+    await page.waitForSelector('#logout', { state: 'visible' });
+
+    gateway.isSilent = true;
+    await page.waitForSelector('#trouble', { state: 'visible' });
+
+    assert.ok(await page.locator('#logout').isVisible());
+    gateway.isSilent = false;
+  });
 });
