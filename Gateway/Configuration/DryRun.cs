@@ -21,8 +21,7 @@ static class DryRun
             return CertificateFiles.Generate();
         }
 
-        var certificate = CertificateFiles.LoadValid(path, keyPath);
-        _ = CertificateFiles.All(path);
+        var certificate = CertificateFiles.LoadValid(path, keyPath).Certificate;
         findings.Good("certificate", FormattableString.Invariant($"{path} (valid to {certificate.NotAfter:yyyy-MM-dd})"));
         findings.Good("pin", CertificatePin.Of(certificate).ToString());
         return certificate;

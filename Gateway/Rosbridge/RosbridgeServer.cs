@@ -17,7 +17,6 @@ sealed class RosbridgeServer(
 {
     readonly CancellationTokenSource _stop = new();
     readonly NamesInUse _names = new(options.Time);
-    // Counts the open connections of observers.
 
     public DropCounters Drops { get; } = new();
 
@@ -50,10 +49,10 @@ sealed class RosbridgeServer(
     // Refuses and counts a connection beyond the maximum.
     async Task ServeAsync(HttpContext context, Role role)
     {
-        if (!counters.TryEnter(options.MaxConnectionsFor(role)))
+        var max = options.MaxConnectionsFor(role);
+        if (!counters.TryEnter(max))
         {
-            await AccessControl.AnswerAsync(
-                context, StatusCodes.Status503ServiceUnavailable, LimitMessages.Connections(options.MaxConnectionsFor(role)));
+            await AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, LimitMessages.Connections(max));
             return;
         }
 

@@ -46,10 +46,10 @@ public sealed class CertificateFile
 
     ServerCertificate Load(string path, string keyPath)
     {
-        var certificate = CertificateFiles.LoadValid(path, keyPath);
-        var pin = CertificatePin.Of(certificate);
-        if (pin.Equals(_pin)) return new ServerCertificate(certificate, CertificateFiles.All(path));
-        certificate.Dispose();
+        var loaded = CertificateFiles.LoadValid(path, keyPath);
+        var pin = CertificatePin.Of(loaded.Certificate);
+        if (pin.Equals(_pin)) return loaded;
+        loaded.Certificate.Dispose();
         throw new InputException(KeyFileMessages.OtherKey(path, pin));
     }
 }

@@ -37,24 +37,23 @@ public static class CertificateFiles
     {
         if (!File.Exists(path) && keyPath == null)
             Save(path);
-        return LoadValid(path, keyPath);
+        return LoadValid(path, keyPath).Certificate;
     }
 
     /// <summary>Loads a .pfx file without a password or a .pem file.</summary>
     /// <inheritdoc cref="LoadOrGenerate"/>
-    internal static X509Certificate2 LoadValid(string path, string keyPath)
+    internal static ServerCertificate LoadValid(string path, string keyPath)
     {
         var certificate = Load(path, keyPath);
         var now = DateTime.Now;
         // A machine without a battery for its clock starts with an old time. A restart succeeds once the time is right.
         if (now < certificate.NotBefore) throw new IOException(KeyFileMessages.NotYetValid(path, certificate.NotBefore, now));
         if (now > certificate.NotAfter) throw new InputException(KeyFileMessages.Expired(path, certificate.NotAfter, now));
-        return certificate;
+        return new ServerCertificate(certificate, All(path));
     }
 
-    /// <summary>Gets all certificates of the file: the gateway's own one and those of its issuers, if the file contains them.</summary>
-    /// <exception cref="InputException">A certificate cannot be read.</exception>
-    internal static X509Certificate2Collection All(string path) => Read(path, () =>
+    // Returns all certificates of the file: the gateway's own one and those of its issuers, if the file contains them.
+    static X509Certificate2Collection All(string path) => Read(path, () =>
     {
         if (IsPfx(path)) return X509CertificateLoader.LoadPkcs12CollectionFromFile(path, null);
         var all = new X509Certificate2Collection();

@@ -92,12 +92,12 @@ public class CertificateFilesTests
     }
 
     [Test]
-    public void All_DamagedIssuer_ThrowsWithThePath()
+    public void LoadOrGenerate_DamagedIssuer_ThrowsWithThePath()
     {
         var path = Path.Combine(_folder, "damaged.pem");
         using (CertificateFiles.LoadOrGenerate(path, null)) File.AppendAllText(path, "-----BEGIN CERTIFICATE-----\nAAAA\n-----END CERTIFICATE-----\n");
 
-        var error = Assert.Throws<InputException>(() => CertificateFiles.All(path));
+        var error = Assert.Throws<InputException>(() => CertificateFiles.LoadOrGenerate(path, null));
 
         Assert.That(error.Message, Does.Contain(path));
     }
