@@ -38,4 +38,14 @@ public sealed class VersionTests
 
         Assert.That(image, Is.EqualTo(editor).And.Not.Empty);
     }
+
+    // The owner of an action can move its tag to other code, which would run with the rights to publish a release.
+    [Test]
+    public void Workflows_Actions_ArePinnedToACommit()
+    {
+        var actions = RepositoryFiles.All.Where(path => path.StartsWith(".github/workflows/", StringComparison.Ordinal))
+            .SelectMany(path => RepositoryFiles.Read(path).Split('\n')).Where(line => line.Contains("uses:")).ToArray();
+
+        Assert.That(actions, Is.Not.Empty.And.All.Match(@"uses: \S+@[0-9a-f]{40} # v\d+\.\d+\.\d+$"));
+    }
 }
