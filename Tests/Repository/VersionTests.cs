@@ -10,6 +10,7 @@ public sealed class VersionTests
         .RootElement.GetProperty("version").GetString();
 
     [TestCase("Directory.Build.props", @"<Version>([^<]+)</Version>")]
+    [TestCase("CITATION.cff", @"(?m)^version: (.+)$")]
     [TestCase("Web/package.json", @"""version"": ""([^""]+)""")]
     [TestCase("Web/package-lock.json", @"""version"": ""([^""]+)""")]
     [TestCase("Vision/package.json", @"""version"": ""([^""]+)""")]
