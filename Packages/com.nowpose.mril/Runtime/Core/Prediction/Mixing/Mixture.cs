@@ -176,8 +176,9 @@ namespace Nowpose.Prediction.Mixing
 
         void FillTable(MotionState motion, double speedFactor)
         {
-            var candidate = IsVelocityUnknown ? null : BestCandidate();
-            if (candidate != null) candidate.Fill(_table, _points, _components);
+            Array.Clear(_table, 0, _table.Length);
+            if (IsVelocityUnknown) return;
+            if (BestCandidate() is { } candidate) candidate.Fill(_table, _points, _components);
             else FillMixture(motion, speedFactor);
             // The displayed position is that of the newest sample at its time.
             for (var c = 0; c < _components; c++) _table[c] = 0;
@@ -196,7 +197,6 @@ namespace Nowpose.Prediction.Mixing
         {
             // The weights of the last seconds would displace a constant velocity if they include hold.
             var lineShare = Uses(PredictionParts.ChangePoints) && _changePoints.IsSteady ? 1 : motion.NewestTime < _firstMoveUntil ? FirstMoveShare : 0;
-            Array.Clear(_table, 0, _table.Length);
             AddForecasts((1 - lineShare) * ShareOfForecasts(motion));
             if (lineShare > 0) _forecasters.AddTo(_table, ForecasterSet.Line, lineShare, _points);
             if (_components == 1 && motion.Count > 1) ForecastTable.LimitToDrive(_table, _points, speedFactor * motion.Velocity[0], motion.Interval, _limits);

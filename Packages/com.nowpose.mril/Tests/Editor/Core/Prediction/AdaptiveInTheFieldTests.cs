@@ -159,5 +159,18 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         static double Motion(double t) => Math.Sin(2 * t) + 0.4 * Math.Sin(5.1 * t + 1);
+
+        // The forecast from reported velocities needs the newest sample only, so it would move although the position is stated to be held.
+        [Test]
+        public void At_ReturnFromWrongSamplesWithReportedVelocity_IsHeld()
+        {
+            var predictor = Predictors.Create("adaptive", PredictionLimits.Unlimited);
+            for (var i = 0; i < 40; i++)
+                predictor.Add(new JointSample(0.05 * i, 0.05 * i + (i == 37 || i == 38 ? 20 : 0), 0.05 * i, velocity: 1, acceleration: 0), 0.05 * i + 0.1);
+
+            var ahead = predictor.At(0.05 * 39 + 0.04);
+
+            Assert.That((ahead.Kind, ahead.Position - predictor.Hold), Is.EqualTo((PredictionKind.Held, 0.0)));
+        }
     }
 }
