@@ -13,11 +13,11 @@ sealed class PolynomialFit : Forecaster
 
     double[] _coefficients = [0];
 
-    public override int RequiredSamples => Degree + 1;
+    public override int UsedSamples => Degree + 1;
 
     public override bool Solve(MotionState motion)
     {
-        var count = Math.Min(RequiredSamples, motion.Count);
+        var count = Math.Min(UsedSamples, motion.Count);
         _coefficients = Fit.Polynomial(motion.Times[..count], motion.Displacements[..count], count - 1);
         return true;
     }

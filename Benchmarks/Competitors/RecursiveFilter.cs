@@ -9,7 +9,7 @@ abstract class RecursiveFilter : Forecaster
     bool _hasStarted;
 
     /// <summary>Number of samples needed: the newest one, and the previous one for the interval.</summary>
-    public override int RequiredSamples => 2;
+    public override int UsedSamples => 2;
 
     /// <summary>Position of the last processed sample. In <see cref="Update"/>, this is the previous sample.</summary>
     protected double Newest { get; private set; }

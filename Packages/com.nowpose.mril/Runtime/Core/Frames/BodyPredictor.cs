@@ -67,11 +67,10 @@ namespace Nowpose.Frames
         public DropReason Add(in PoseSample sample, double displayed = double.NaN)
         {
             if (sample.Time > NewestTime) _restsBeforeSecondSample &= _pipeline.IsEmpty;
-            var restarts = Restarts;
-            var reason = Order(sample);
+            var reason = Receive(sample, out var hasRestarted);
             // See JointTracks.Add, and for the display JointPredictor.Add.
             if (IsNewestStampWrong) _past.Clear();
-            if (Restarts != restarts) Restart(displayed);
+            if (hasRestarted) Restart(displayed);
             else UseReady(IsNewestStampWrong ? double.NaN : displayed);
             if (reason == DropReason.None) _past.Add(sample.Time, sample);
             return reason;
@@ -135,9 +134,10 @@ namespace Nowpose.Frames
             foreach (var blend in _blends) blend.Reset();
         }
 
-        DropReason Order(in PoseSample sample)
+        DropReason Receive(in PoseSample sample, out bool hasRestarted)
         {
-            var reason = _pipeline.Sort(new BodySample(sample.Time, sample.Position, _rotations.Add(sample.Order, sample.Rotation), sample.Order));
+            var body = new BodySample(sample.Time, sample.Position, _rotations.Add(sample.Order, sample.Rotation), sample.Order);
+            var reason = _pipeline.Receive(body, out hasRestarted);
             if (_pipeline.IsNewestStampWrong) _rotations.RemoveNewest();
             return reason;
         }
@@ -154,7 +154,7 @@ namespace Nowpose.Frames
             Reset();
             foreach (ref readonly var pose in poses)
             {
-                Order(pose);
+                Receive(pose, out _);
                 UseReady(displayed);
             }
         }

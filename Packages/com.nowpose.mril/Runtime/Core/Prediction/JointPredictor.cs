@@ -7,7 +7,7 @@ namespace Nowpose.Prediction
     /// <summary>Predicts one joint's position at times near its newest samples, usually ahead of them.</summary>
     /// <remarks>
     /// <see cref="Add"/> puts a sample into order and into the buffer, updates the state of the motion, and solves the forecaster for it. The
-    /// forecast until the next sample is the section (Schnierle &amp; Röck 2022, Eq. 8). <see cref="At"/> reads the section, the plan if the joint
+    /// curve through the samples and the forecast until the next sample are the section (Schnierle &amp; Röck 2022, Eq. 8). <see cref="At"/> reads the section, the plan if the joint
     /// follows one, and the remainder of the difference from the previous section. Times are seconds of control time since an epoch that the caller
     /// selects. It must be near the samples: within 1e6 s, rounding is negligible. Not thread-safe. Allocates nothing after construction.
     /// </remarks>
@@ -64,9 +64,8 @@ namespace Nowpose.Prediction
         /// </returns>
         public DropReason Add(in JointSample sample, double displayed = double.NaN)
         {
-            var restarts = Restarts;
-            var reason = _pipeline.Sort(sample);
-            if (Restarts != restarts) Clear();
+            var reason = _pipeline.Receive(sample, out var hasRestarted);
+            if (hasRestarted) Clear();
             // The display jumps back from a wrong stamp, because the blend would start from a value that was not displayed.
             if (IsNewestStampWrong) displayed = double.NaN;
             foreach (ref readonly var ready in _pipeline.Ready) Use(ready, displayed);

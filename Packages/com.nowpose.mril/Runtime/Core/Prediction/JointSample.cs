@@ -45,7 +45,9 @@ namespace Nowpose.Prediction
         /// <summary>Position, in rad or m.</summary>
         public double Position { get; }
 
-        /// <summary>Sort key of the samples, s: equal to <see cref="Time"/> unless the stamp is wrong.</summary>
+        /// <summary>
+        /// Sort key of the samples, in s: <see cref="Time"/>, or the true time of a sample whose stamp is wrong in a simulation, for example in <c>replay</c>.
+        /// </summary>
         public double Order { get; }
 
         /// <summary>Velocity reported by the control system, in rad/s or m/s; NaN if it is not reported.</summary>

@@ -75,12 +75,14 @@ namespace Nowpose.Prediction
         /// Puts a received sample into order. It may be ready now or later. If the clock went back, all earlier samples are discarded; if only the newest stamp
         /// was wrong, its sample is discarded.
         /// </summary>
-        public DropReason Sort(in TSample sample)
+        /// <param name="hasRestarted">Whether the clock went back.</param>
+        public DropReason Receive(in TSample sample, out bool hasRestarted)
         {
             var restarts = Restarts;
             // The oldest sample is not in the processor's cache, and only late samples are compared with it.
             var reason = _arrivals.Add(sample, _buffer.HasNewestOrder(sample) ? double.NegativeInfinity : _buffer.OldestOrder);
-            if (Restarts != restarts) Restart();
+            hasRestarted = Restarts != restarts;
+            if (hasRestarted) Restart();
             else if (IsNewestStampWrong && _buffer.RemoveNewest(after: Ready[0].Order))
                 foreach (var motion in _motions) motion.ForgetNewest();
             return reason;
@@ -133,10 +135,10 @@ namespace Nowpose.Prediction
             if (ahead > MaxAhead) return new SectionPlace(PredictionKind.Held, MaxAhead);
             if (double.IsInfinity(ahead)) return new SectionPlace(PredictionKind.Held, double.NaN);
             // The paper's polynomials are used before their newest sample too. A section is as inaccurate before its oldest sample as it is far beyond
-            // its newest sample, so its value at the oldest sample is held.
+            // its newest sample, so its value at the oldest sample is held. Without a horizon cap, as in the paper, neither is limited.
             if (ahead < 0 && !double.IsPositiveInfinity(_limits.HorizonCap))
             {
-                var start = _buffer.StartOf(Math.Min(connected, _forecasters[0].RequiredSamples));
+                var start = _buffer.StartOf(Math.Min(connected, _forecasters[0].UsedSamples));
                 if (ahead < start) return new SectionPlace(PredictionKind.Held, start);
             }
             if (ahead <= 0) return new SectionPlace(PredictionKind.Interpolated, ahead);

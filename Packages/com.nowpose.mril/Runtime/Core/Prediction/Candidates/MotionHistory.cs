@@ -59,10 +59,8 @@ namespace Nowpose.Prediction.Candidates
         // Number of samples since the last gap or change of the interval, until the grid starts.
         int _samples;
 
-        /// <param name="components">Number of components of a position.</param>
         public MotionHistory(int components) => (Components, Points) = (components, new double[(Capacity + Repeated) * components]);
 
-        /// <summary>Number of components of a position.</summary>
         public int Components { get; }
 
         /// <summary>Whether there are enough samples for a grid.</summary>

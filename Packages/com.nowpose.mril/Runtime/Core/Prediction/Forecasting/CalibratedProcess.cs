@@ -32,7 +32,7 @@ namespace Nowpose.Prediction.Forecasting
 
         public CalibratedProcess(int components) => _offsets = new double[components];
 
-        public override int RequiredSamples => _process.RequiredSamples;
+        public override int UsedSamples => _process.UsedSamples;
 
         public override bool Solve(MotionState motion)
         {
@@ -77,7 +77,7 @@ namespace Nowpose.Prediction.Forecasting
         int AgeAtHorizon(MotionState motion)
         {
             double Distance(int age) => Math.Abs(motion.Times[age] + motion.Timing.Horizon);
-            var oldest = motion.Count - RequiredSamples;
+            var oldest = motion.Count - UsedSamples;
             if (oldest < 1) return 0;
             var best = 1;
             while (best < oldest && Distance(best + 1) < Distance(best)) best++;

@@ -10,16 +10,16 @@ namespace Nowpose.Prediction.Forecasting
     abstract class Forecaster
     {
         /// <summary>
-        /// Number of newest samples that a forecast needs. A forecaster that uses more samples than this number extrapolates across change points. A
+        /// Number of newest samples that the forecast uses. In a mixture, a line replaces the forecast while there are fewer since the last change point. A
         /// <see cref="Candidates.Candidate"/> does not use the number: its forecaster decides in <see cref="Solve"/>.
         /// </summary>
-        public virtual int RequiredSamples => 2;
+        public virtual int UsedSamples => 2;
 
         /// <summary>
         /// Number of newest samples of one motion without which a mixture replaces the forecast by a line: at least three, because all forecasts from two are
         /// this line, and rounding would decide between their equal errors.
         /// </summary>
-        public virtual int SamplesInMixture(MotionState motion) => Math.Max(RequiredSamples, 3);
+        public virtual int SamplesInMixture(MotionState motion) => Math.Max(UsedSamples, 3);
 
         /// <summary>Maximum time of a forecast after the newest sample, in s; infinite without a maximum.</summary>
         public virtual double Span => double.PositiveInfinity;

@@ -49,7 +49,7 @@ namespace Nowpose.Prediction.Forecasting
         {
             _maxDegree = degree;
             (_values, _coefficients) = (new double[degree + 1][], new double[degree + 1][]);
-            for (var k = 0; k <= degree; k++) (_values[k], _coefficients[k]) = (new double[RequiredSamples], new double[k]);
+            for (var k = 0; k <= degree; k++) (_values[k], _coefficients[k]) = (new double[UsedSamples], new double[k]);
             _norms = new double[degree + 1];
         }
 

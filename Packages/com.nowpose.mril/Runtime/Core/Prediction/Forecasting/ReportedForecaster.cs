@@ -15,7 +15,7 @@ namespace Nowpose.Prediction.Forecasting
 
         public ReportedForecaster(Forecaster otherwise) => _otherwise = otherwise;
 
-        public override int RequiredSamples => _otherwise.RequiredSamples;
+        public override int UsedSamples => _otherwise.UsedSamples;
 
         // The velocity and the acceleration are known from the newest sample alone, for example directly after a stop.
         public override int SamplesInMixture(MotionState motion) =>

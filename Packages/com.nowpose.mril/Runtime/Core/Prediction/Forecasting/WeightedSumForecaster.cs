@@ -36,10 +36,10 @@ namespace Nowpose.Prediction.Forecasting
             _table = new double[ForecastTable.Points * samples];
         }
 
-        public sealed override int RequiredSamples => Times.Length;
+        public sealed override int UsedSamples => Times.Length;
 
-        /// <summary>Number of samples from which the forecaster has a solution.</summary>
-        protected virtual int MinSamples => RequiredSamples;
+        /// <summary>Minimum number of samples for a solution outside a mixture.</summary>
+        protected virtual int MinSamples => UsedSamples;
 
         /// <summary>Number of samples that the forecast uses since the last solve.</summary>
         protected int Count { get; private set; }
@@ -54,7 +54,7 @@ namespace Nowpose.Prediction.Forecasting
         /// <returns>Whether the older samples determine the weights.</returns>
         public bool Solve(MotionState motion, int age)
         {
-            var count = Math.Min(motion.Count - age, RequiredSamples);
+            var count = Math.Min(motion.Count - age, UsedSamples);
             (_motion, _age) = (motion, age);
             if (count < MinSamples) return false;
             if (count == Count && HasTimes(motion.Times, age)) return _isSolved;
@@ -68,7 +68,7 @@ namespace Nowpose.Prediction.Forecasting
         /// <remarks>Valid until the forecaster solves for another motion. Unlike <see cref="Fill"/>, it also continues a motion after a reversal.</remarks>
         public override double At(double ahead, int component)
         {
-            Span<double> weights = stackalloc double[RequiredSamples];
+            Span<double> weights = stackalloc double[UsedSamples];
             FillWeights(ahead, weights);
             var sum = 0.0;
             for (var j = 1; j < Count; j++) sum += weights[j] * DisplacementOf(j, component);
@@ -119,7 +119,7 @@ namespace Nowpose.Prediction.Forecasting
 
         void FillTable(int points)
         {
-            Span<double> weights = stackalloc double[RequiredSamples];
+            Span<double> weights = stackalloc double[UsedSamples];
             for (; _filledPoints < points; _filledPoints++)
             {
                 FillWeights(_filledPoints * ForecastTable.Step, weights);

@@ -95,7 +95,7 @@ namespace Nowpose.Prediction.Samples
                 : contradicts ? DropReason.LateSample : DropReason.None;
             _isOnlyEvidence[_lateCount] = reason != DropReason.None;
             _late[_lateCount++] = sample;
-            if (AreOvertaken) return reason;
+            if (MustWait) return reason;
             IsNewestStampWrong = !double.IsNegativeInfinity(_beforeNewest) && _late[0].Order - _beforeNewest >= JointSample.SameSeconds;
             if (!IsNewestStampWrong) Restarts++;
             _recent.Clear();
@@ -111,7 +111,7 @@ namespace Nowpose.Prediction.Samples
             _readyCount = _lateCount = _contradicted = 0;
         }
 
-        bool AreOvertaken => _lateCount < ArrivalLimits.MinLateForRestart && _contradicted < MinClearlyLateForRestart
+        bool MustWait => _lateCount < ArrivalLimits.MinLateForRestart && _contradicted < MinClearlyLateForRestart
             && (_lateCount < MinClearlyLateForRestart || _newest - _late[_lateCount - 1].Order <= ArrivalLimits.MaxDelay);
 
         bool IsWaiting(in TSample sample)

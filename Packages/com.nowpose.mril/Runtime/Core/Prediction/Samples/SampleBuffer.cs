@@ -9,8 +9,9 @@ namespace Nowpose.Prediction.Samples
     sealed class SampleBuffer<TSample> where TSample : struct, ISample<TSample>
     {
         /// <summary>
-        /// Minimum interval in s; closer samples are left out, so rates up to 180 Hz are used completely (with stamps in whole milliseconds, up to 166 Hz). Samples a millisecond apart do not improve
-        /// forecasts over a tenth of a second, and windows of few samples would contain mainly their noise.
+        /// Minimum interval in s; closer samples are left out, so rates up to 180 Hz are used completely (with stamps in whole
+        /// milliseconds, up to 166 Hz). Samples a millisecond apart do not improve forecasts over a tenth of a second, and windows of few samples would contain
+        /// mainly their noise.
         /// </summary>
         const double MinInterval = 0.0055;
 
@@ -46,7 +47,10 @@ namespace Nowpose.Prediction.Samples
 
         public SampleTiming Timing { get; }
 
-        /// <summary>The newest sample as received, even if it is left out; <c>default</c> before the first.</summary>
+        /// <summary>
+        /// The newest sample with its stamp as received, even if thinning leaves it out; <c>default</c> before the first. After
+        /// <see cref="RemoveNewest"/>, with a corrected stamp.
+        /// </summary>
         public TSample Newest { get; private set; }
 
         /// <summary>Uncorrected stamp of the newest sample, in s; negative infinity before the first.</summary>

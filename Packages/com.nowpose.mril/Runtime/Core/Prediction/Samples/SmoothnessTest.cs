@@ -35,7 +35,6 @@ namespace Nowpose.Prediction.Samples
         int _count;
         double _mean;
 
-        /// <param name="components">Number of components of a position.</param>
         public SmoothnessTest(int components)
         {
             (_components, _positions) = (components, new double[Kept * components]);

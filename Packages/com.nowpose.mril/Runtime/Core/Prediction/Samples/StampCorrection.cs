@@ -36,7 +36,6 @@ namespace Nowpose.Prediction.Samples
         // Number of consecutive newest stamps that are off the line on the same side; negative if they are early.
         int _offLine;
 
-        /// <param name="components">Number of components of a position.</param>
         public StampCorrection(int components) => _smoothness = new SmoothnessTest(components);
 
         /// <summary>Returns the corrected time of a sample.</summary>

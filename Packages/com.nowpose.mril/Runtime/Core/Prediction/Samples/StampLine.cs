@@ -59,7 +59,6 @@ namespace Nowpose.Prediction.Samples
         // several weeks reduces the precision.
         double _sum, _sumN, _sumT, _sumNn, _sumNt, _sumTt;
 
-        /// <summary>Whether the line is known.</summary>
         public bool IsKnown { get; private set; }
 
         /// <summary>T_s in s; valid if <see cref="IsKnown"/>.</summary>

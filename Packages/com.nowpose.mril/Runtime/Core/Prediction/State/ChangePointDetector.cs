@@ -51,7 +51,6 @@ namespace Nowpose.Prediction.State
         int _samples;
         bool _wasSteady;
 
-        /// <param name="components">Number of components of the motion.</param>
         public ChangePointDetector(int components) => (_before, _confirmed, _former) = (new double[components], new double[components], new double[components]);
 
         /// <summary>

@@ -42,8 +42,8 @@ namespace Nowpose.Prediction.State
     }
 
     /// <summary>
-    /// Detects the way back from wrong samples of a joint. The unit and size of a joint are unknown, so only samples that were further away than any
-    /// motion so far, and from which the joint returns soon, count as wrong.
+    /// Detects the way back from 2 to 20 wrong samples of a joint; <see cref="MotionState"/> leaves a single one out. The unit and size of a joint are
+    /// unknown, so only samples that were further away than any motion so far, and from which the joint returns soon, count as wrong.
     /// </summary>
     sealed class OutlierReturnDetector : JumpDetector
     {
@@ -112,7 +112,6 @@ namespace Nowpose.Prediction.State
         double _meanChange;
         bool _isKnown;
 
-        /// <param name="components">Number of components of a position.</param>
         /// <param name="minJump">Minimum length of a jump, in m or rad: more than the noise of a tracker.</param>
         /// <param name="maxAcceleration">Maximum acceleration of an object, per second squared.</param>
         public ObjectJumpDetector(int components, double minJump, double maxAcceleration)

@@ -27,7 +27,6 @@ namespace Nowpose.Prediction.State
         // Mean velocity in the interval before that of Velocity.
         double[] _velocityBefore;
 
-        /// <param name="components">Number of components.</param>
         /// <param name="first">Index of the first component in the samples.</param>
         /// <param name="capacity">Maximum number of samples that a forecaster uses.</param>
         /// <param name="timing">Timing of the samples, which the motions of an object share.</param>
@@ -42,7 +41,6 @@ namespace Nowpose.Prediction.State
             Reset();
         }
 
-        /// <summary>Number of components.</summary>
         public int Components { get; }
 
         /// <summary>Intervals of the samples, and the prediction horizon.</summary>
@@ -64,7 +62,9 @@ namespace Nowpose.Prediction.State
         /// <inheritdoc cref="Newest"/>
         public double[] Previous { get; }
 
-        /// <summary>Time from the previous to the newest sample, in s.</summary>
+        /// <summary>
+        /// Time from the previous to the newest sample, in s: longer than <see cref="SampleTiming.Interval"/> after a wrong sample that was left out.
+        /// </summary>
         public double Interval => NewestTime - PreviousTime;
 
         /// <summary>Number of newest samples without a gap that are stored here.</summary>

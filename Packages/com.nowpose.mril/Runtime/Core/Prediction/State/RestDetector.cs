@@ -49,7 +49,6 @@ namespace Nowpose.Prediction.State
         readonly double[] _mean;
         bool _hasLeft;
 
-        /// <param name="components">Number of components of a position.</param>
         public RestDetector(int components) => (_components, _mean) = (components, new double[components]);
 
         /// <summary>Whether the newest sample repeats the one before it: their distance is at most <see cref="StillDistance"/>.</summary>

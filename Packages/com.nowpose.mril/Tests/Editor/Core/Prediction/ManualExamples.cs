@@ -16,7 +16,7 @@ namespace Nowpose.Tests.Core.Prediction
 
             MotionState _motion;
 
-            public override int RequiredSamples => 2;
+            public override int UsedSamples => 2;
 
             public override bool Solve(MotionState motion)
             {

@@ -173,7 +173,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             public double Error { get; set; }
             public bool IsSilent { get; set; }
             public double Rest { get; set; } = double.NaN;
-            public override int RequiredSamples => 1;
+            public override int UsedSamples => 1;
 
             public override bool Solve(MotionState motion)
             {

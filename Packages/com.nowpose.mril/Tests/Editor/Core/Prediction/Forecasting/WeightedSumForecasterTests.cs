@@ -12,7 +12,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
         public void Fill_AnyForecaster_EqualsAtForEveryPoint(string name)
         {
             var forecaster = New(name, stopsAtReversal: false);
-            forecaster.Solve(Motion(seed: 1, forecaster.RequiredSamples));
+            forecaster.Solve(Motion(seed: 1, forecaster.UsedSamples));
             var table = new double[ForecastTable.Points + 1];
             forecaster.Fill(table, 1, ForecastTable.Points, components: 1);
 
@@ -28,7 +28,7 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
             foreach (var seed in new[] { 1, 2, 1, 3 })
                 foreach (var position in new Func<double, double>[] { Math.Sin, Math.Cos, t => 3 - t })
                 {
-                    var motion = Motion(seed, shared.RequiredSamples, position);
+                    var motion = Motion(seed, shared.UsedSamples, position);
                     Assert.That(Table(shared, motion), Is.EqualTo(Table(New(name), motion)).Within(1e-12), "seed " + seed);
                 }
         }
