@@ -36,7 +36,7 @@ sealed class CellFrames(RobotLinks links, NewestSamples samples, Action<HubMessa
     public event Action<string> Replaced;
 
     /// <summary>The sources that publish the frames. A stationary frame whose source has ended has none.</summary>
-    public NameOwners<string> Owners { get; } = new();
+    public OwnerMap<string> Owners { get; } = new();
 
     public LatchedMessages Stationary { get; } = new(MessageParts.Only);
 

@@ -16,7 +16,7 @@ sealed class CellSignals(
     readonly RefusedValues<SignalsMessage> _refused = new(value => value.Stamp);
 
     /// <summary>The sources of all signals.</summary>
-    public NameOwners<string> Owners { get; } = new();
+    public OwnerMap<string> Owners { get; } = new();
 
     public LatchedMessages Newest { get; } = new(Only);
 

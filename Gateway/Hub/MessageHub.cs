@@ -8,7 +8,7 @@ namespace Nowpose.Gateway.Hub;
 public sealed class MessageHub
 {
     readonly Lock _lock = new();
-    readonly TopicOwners _owners = new();
+    readonly JointOwners _owners = new();
     readonly Subscribers _subscribers = new();
     readonly Dictionary<(HubSource Source, string Topic), HubMessage> _newest = [];
     readonly RobotRegistry _robots = new();
@@ -55,7 +55,7 @@ public sealed class MessageHub
     /// </summary>
     internal event Action<HubSource, string, string, Refusal> SetPointsRefused;
 
-    /// <inheritdoc cref="TopicOwners.RobotOfListedJoint"/>
+    /// <inheritdoc cref="JointOwners.RobotOfListedJoint"/>
     internal Func<string, string> RobotOfListedJoint { set => _owners.RobotOfListedJoint = value; }
 
     /// <summary>Raised when a frame or signal is left out for another reason than its owner. Called under the hub's lock.</summary>

@@ -40,7 +40,7 @@ sealed class RefusedValues<TValue>(Func<TValue, ControlTime> stampOf)
     /// </summary>
     /// <param name="owners">The sources of the frames or signals.</param>
     /// <param name="publish">Publishes the values of a source, in the order of their time stamps.</param>
-    public void PublishFree(NameOwners<string> owners, Action<HubSource, IEnumerable<TValue>> publish)
+    public void PublishFree(OwnerMap<string> owners, Action<HubSource, IEnumerable<TValue>> publish)
     {
         while (_newest.Count > 0)
         {

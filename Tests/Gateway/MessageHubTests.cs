@@ -38,7 +38,7 @@ public class MessageHubTests
     {
         using var source = _hub.OpenSource();
         using var other = _hub.OpenSource();
-        for (var i = 0; i < TopicOwners.MaxNames; i++) Assert.That(source.Publish(Gateways.State(i + 1, "joint" + i)), Is.Null);
+        for (var i = 0; i < JointOwners.MaxNames; i++) Assert.That(source.Publish(Gateways.State(i + 1, "joint" + i)), Is.Null);
 
         Assert.That(source.Publish(Gateways.State(2, "joint0", "one more"))?.Reason, Is.EqualTo(DropReason.TooManyJoints));
         Assert.That(other.Publish(Gateways.State(2, "one more"))?.Reason, Is.EqualTo(DropReason.TooManyJoints));

@@ -2,7 +2,7 @@ namespace Nowpose.Gateway.Hub;
 
 /// <summary>The sources that own names. A name belongs to one source at a time. Not thread-safe.</summary>
 /// <typeparam name="TName">A frame or signal of the cell, or a name on a topic: a joint, a planned joint or "the robot".</typeparam>
-sealed class NameOwners<TName>
+sealed class OwnerMap<TName>
 {
     readonly Dictionary<TName, HubSource> _owners = [];
 

@@ -4,7 +4,7 @@ using Nowpose.Protocol;
 namespace Nowpose.Gateway.Hub;
 
 /// <summary>The owners of the names on the topics of robots: joints, planned joints and "the robot". Bounded; not thread-safe.</summary>
-sealed class TopicOwners
+sealed class JointOwners
 {
     /// <summary>
     /// Maximum number of names on a topic. Larger than the maximum of one message, because several sources may publish on a topic, each several sets of
@@ -13,7 +13,7 @@ sealed class TopicOwners
     internal const int MaxNames = 4 * ProtocolLimits.Joints;
 
     // The number of topics is bounded by the maximum number of robots.
-    readonly Dictionary<string, NameOwners<string>> _topics = [];
+    readonly Dictionary<string, OwnerMap<string>> _topics = [];
 
     /// <summary>
     /// Returns the namespace of the robot of a joint in the status, by the joint's cell-wide name; null for a joint that is not in the status. The joints
@@ -57,7 +57,7 @@ sealed class TopicOwners
     /// <summary>Makes a source the owner of names.</summary>
     public void Take(HubSource source, string topic, string[] names)
     {
-        if (!_topics.TryGetValue(topic, out var owners)) _topics[topic] = owners = new NameOwners<string>();
+        if (!_topics.TryGetValue(topic, out var owners)) _topics[topic] = owners = new OwnerMap<string>();
         foreach (var name in names) owners.Take(source, name);
     }
 
