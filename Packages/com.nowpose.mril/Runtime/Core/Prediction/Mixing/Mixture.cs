@@ -77,7 +77,7 @@ namespace Nowpose.Prediction.Mixing
             (_components, _limits, _parts, _forecasters, _candidates) = (components, limits, parts, forecasters, candidates);
             _jumps = jumps;
             _points = ForecastTable.PointsUpTo(limits.HorizonCap);
-            _changePoints = new ChangePointDetector(components);
+            _changePoints = new ChangePointDetector();
             _weights = new MixtureWeights(forecasters.Prior(isReported: false));
             _pending = new PendingForecasts(components, forecasters, candidates, _weights);
             _table = new double[ForecastTable.Points * components];

@@ -37,21 +37,13 @@ namespace Nowpose.Prediction.State
         /// </summary>
         const double SteadyRatio = 1e-6;
 
-        // Velocity at the previous sample that was not a jump, and at the last one that was also confirmed.
-        readonly double[] _before, _confirmed;
-
-        // Velocity and number of samples before the newest sample, which are valid again if this sample was wrong.
-        readonly double[] _former;
-        int _formerSince;
-
-        // Acceleration and speed of the newest sample, which raise the maxima at the next sample, unless this one shows that it was wrong.
+        // Acceleration and speed of the newest samples, which raise the maxima when a later sample shows that they were right.
         double _acceleration, _speed;
-        bool _isUnconfirmed;
         double _maxAcceleration, _maxSpeed, _intervalBefore;
-        int _samples;
-        bool _wasSteady;
 
-        public ChangePointDetector(int components) => (_before, _confirmed, _former) = (new double[components], new double[components], new double[components]);
+        // Number of samples, and SamplesSince before the newest sample, which is valid again if this sample was wrong.
+        int _samples, _formerSince;
+        bool _wasSteady;
 
         /// <summary>
         /// Number of samples since the newest change point, including the sample at which it was detected; the number of all samples after an
@@ -70,16 +62,16 @@ namespace Nowpose.Prediction.State
         /// <param name="isUnconfirmed">Whether the sample may be wrong (<see cref="JumpDetector.IsUnconfirmed"/>): it does not increase the maxima.</param>
         public void Add(MotionState motion, double forgettingFactor, bool isUnconfirmed)
         {
-            if (motion.IsPreviousWrong) Retract();
-            Store();
+            if (motion.IsPreviousWrong) (SamplesSince, _acceleration, _speed) = (_formerSince, 0, 0);
+            _formerSince = SamplesSince;
             _samples = Math.Min(_samples, int.MaxValue - 1) + 1;
             SamplesSince = Math.Min(SamplesSince + 1, _samples);
             if (_samples < 2) return;
-            var interval = motion.Interval;
-            _maxAcceleration = Math.Max(_maxAcceleration, _acceleration) * forgettingFactor;
-            _maxSpeed = Math.Max(_maxSpeed, _speed) * forgettingFactor;
-            var (newest, before) = (motion.Speed, Vectors.Length(_before));
-            var (change, product) = (Vectors.Distance(motion.Velocity, _before), Vectors.Dot(motion.Velocity, _before));
+            if (!isUnconfirmed) RaiseMaxima();
+            (_maxAcceleration, _maxSpeed) = (_maxAcceleration * forgettingFactor, _maxSpeed * forgettingFactor);
+            double interval = motion.Interval, newest = motion.Speed, before = Vectors.Length(motion.VelocityBefore);
+            var change = Vectors.Distance(motion.Velocity, motion.VelocityBefore);
+            var product = Vectors.Dot(motion.Velocity, motion.VelocityBefore);
             // An abrupt change within an interval shows in the velocity of two intervals.
             var isSteady = IsSteady || _wasSteady;
             (_wasSteady, IsSteady) = (IsSteady, change <= SteadyRatio * motion.MaxSpeed);
@@ -93,42 +85,32 @@ namespace Nowpose.Prediction.State
                     // A slow motion in the opposite direction is noise before a start, not a reversal.
                     SpeedIncreased = newest > before && (product >= 0 || before < MinChangeRatio * newest);
                 }
-                _acceleration = acceleration;
+                _acceleration = Math.Max(_acceleration, acceleration);
             }
-            (_speed, _isUnconfirmed) = (newest, isUnconfirmed);
+            _speed = Math.Max(_speed, newest);
             _intervalBefore = interval;
-            Vectors.Copy(motion.Velocity, _before);
-            if (!isUnconfirmed) Vectors.Copy(motion.Velocity, _confirmed);
         }
 
         /// <summary>Adds a sample at a place that has no connection with the samples before it.</summary>
         public void AddJump()
         {
-            Store();
-            (SamplesSince, SpeedIncreased) = (1, false);
-            if (_isUnconfirmed) (_acceleration, _speed) = (0, 0);
-            Vectors.Copy(_confirmed, _before);
-        }
-
-        void Store()
-        {
             _formerSince = SamplesSince;
-            Vectors.Copy(_before, _former);
-        }
-
-        void Retract()
-        {
-            (SamplesSince, _acceleration, _speed) = (_formerSince, 0, 0);
-            Vectors.Copy(_former, _before);
+            // The velocity of the next sample is compared with nothing.
+            (SamplesSince, SpeedIncreased, _samples) = (1, false, 1);
+            (_acceleration, _speed) = (0, 0);
         }
 
         public void Reset()
         {
-            Array.Clear(_before, 0, _before.Length);
-            Array.Clear(_confirmed, 0, _confirmed.Length);
             _acceleration = _speed = _maxAcceleration = _maxSpeed = _intervalBefore = 0;
-            SamplesSince = _samples = 0;
-            SpeedIncreased = IsSteady = _wasSteady = _isUnconfirmed = false;
+            SamplesSince = _samples = _formerSince = 0;
+            SpeedIncreased = IsSteady = _wasSteady = false;
+        }
+
+        void RaiseMaxima()
+        {
+            (_maxAcceleration, _maxSpeed) = (Math.Max(_maxAcceleration, _acceleration), Math.Max(_maxSpeed, _speed));
+            (_acceleration, _speed) = (0, 0);
         }
 
         // A joint that starts does not become slower. Without the confirmation, the errors on recordings are 1.0 % larger.

@@ -24,9 +24,6 @@ namespace Nowpose.Prediction.State
 
         bool _wasNewestForgotten;
 
-        // Mean velocity in the interval before that of Velocity.
-        double[] _velocityBefore;
-
         /// <param name="first">Index of the first component in the samples.</param>
         /// <param name="capacity">Maximum number of samples that a forecaster uses.</param>
         /// <param name="timing">Timing of the samples, which the motions of an object share.</param>
@@ -35,7 +32,7 @@ namespace Nowpose.Prediction.State
         {
             (Components, _first, _capacity, Timing, _omitsWrong) = (components, first, capacity, timing, omitsWrong);
             (Newest, Previous) = (new double[components], new double[components]);
-            (Velocity, _velocityBefore) = (new double[components], new double[components]);
+            (Velocity, VelocityBefore) = (new double[components], new double[components]);
             (Times, Displacements) = (new double[capacity], new double[capacity * components]);
             Rest = new RestDetector(components);
             Reset();
@@ -84,6 +81,9 @@ namespace Nowpose.Prediction.State
 
         /// <summary>Mean velocity in the interval before the newest sample, per second; 0 until there are two samples.</summary>
         public double[] Velocity { get; private set; }
+
+        /// <summary>Mean velocity in the interval before that of <see cref="Velocity"/>, per second; 0 until there are three samples.</summary>
+        public double[] VelocityBefore { get; private set; }
 
         /// <summary>Magnitude of <see cref="Velocity"/>.</summary>
         public double Speed => Vectors.Length(Velocity);
@@ -142,7 +142,7 @@ namespace Nowpose.Prediction.State
             {
                 (IsPreviousWrong, _wasNewestForgotten) = (_wasNewestForgotten, false);
                 PreviousTime = NewestTime;
-                (Velocity, _velocityBefore) = (_velocityBefore, Velocity);
+                (Velocity, VelocityBefore) = (VelocityBefore, Velocity);
             }
             // A copy, because the compiler would copy the sample at each access through a read-only reference.
             var newest = buffer[0];
@@ -169,7 +169,7 @@ namespace Nowpose.Prediction.State
         {
             NewestTime = PreviousTime;
             Array.Copy(Previous, Newest, Components);
-            (Velocity, _velocityBefore) = (_velocityBefore, Velocity);
+            (Velocity, VelocityBefore) = (VelocityBefore, Velocity);
             _wasNewestForgotten = true;
         }
 
@@ -179,7 +179,7 @@ namespace Nowpose.Prediction.State
             NewestTime = PreviousTime = double.NegativeInfinity;
             Array.Clear(Newest, 0, Components);
             Array.Clear(Velocity, 0, Components);
-            Array.Clear(_velocityBefore, 0, Components);
+            Array.Clear(VelocityBefore, 0, Components);
             MaxSpeed = 0;
             (_wrongTime, IsPreviousWrong, _wasNewestForgotten) = (double.NaN, false, false);
             Rest.Reset();
@@ -195,7 +195,7 @@ namespace Nowpose.Prediction.State
             }
             if (double.IsNegativeInfinity(PreviousTime)) return;
             for (var c = 0; c < Components; c++) Velocity[c] = (Newest[c] - Previous[c]) / Interval;
-            var (product, speed) = (Vectors.Dot(Velocity, _velocityBefore), Math.Min(Speed, Vectors.Length(_velocityBefore)));
+            var (product, speed) = (Vectors.Dot(Velocity, VelocityBefore), Math.Min(Speed, Vectors.Length(VelocityBefore)));
             if (product > 0) MaxSpeed = Math.Max(MaxSpeed, speed);
             if (_omitsWrong && Count > 2 && product < 0 && MaxSpeed > 0 && speed > WrongRatio * MaxSpeed) OmitPrevious();
             Rest.AddDisplacement(Vectors.Distance(Newest, Previous), MaxDisplacement);
@@ -210,6 +210,8 @@ namespace Nowpose.Prediction.State
             PreviousTime = TimeAt(1);
             for (var c = 0; c < Components; c++) Previous[c] = Newest[c] + Displacements[Components + c];
             TakeVelocity();
+            for (var c = 0; c < Components && Count > 2; c++)
+                VelocityBefore[c] = (Displacements[2 * Components + c] - Displacements[Components + c]) / (Times[2] - Times[1]);
         }
 
         void TakeVelocity()

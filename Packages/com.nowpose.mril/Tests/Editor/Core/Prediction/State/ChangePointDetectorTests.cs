@@ -10,20 +10,23 @@ namespace Nowpose.Tests.Core.Prediction.State
         const double Interval = 0.05, ForgettingFactor = 0.9975;
 
         // Feeds a first sample, and one sample per speed.
-        static ChangePointDetector After(params double[] speeds) => WithWrongSample(-2, speeds);
+        static ChangePointDetector After(params double[] speeds) => WithWrongSamples(-2, 1, speeds);
 
-        /// <param name="wrong">Index of the speed towards a wrong sample, from which the next one returns; -2 if there is none.</param>
-        static ChangePointDetector WithWrongSample(int wrong, params double[] speeds)
+        static ChangePointDetector WithWrongSample(int wrong, params double[] speeds) => WithWrongSamples(wrong, 1, speeds);
+
+        /// <param name="wrong">Index of the speed towards the first wrong sample; -2 if there is none.</param>
+        /// <param name="count">Number of wrong samples, from the last of which the next sample returns.</param>
+        static ChangePointDetector WithWrongSamples(int wrong, int count, params double[] speeds)
         {
             var buffer = new SampleBuffer<JointSample>(8, PredictionParts.None, PredictionLimits.Unlimited);
-            var (detector, motion, position) = (new ChangePointDetector(components: 1), new MotionState(1, 0, 8, buffer.Timing, omitsWrong: true), 0.0);
+            var (detector, motion, position) = (new ChangePointDetector(), new MotionState(1, 0, 8, buffer.Timing, omitsWrong: true), 0.0);
             for (var k = 0; k <= speeds.Length; k++)
             {
                 if (k > 0) position += speeds[k - 1] * Interval;
                 buffer.Add(new JointSample(k * Interval, position), displayed: double.NaN);
                 motion.Take(buffer);
-                if (k == wrong + 2 && k > 0) detector.AddJump();
-                else detector.Add(motion, ForgettingFactor, isUnconfirmed: k == wrong + 1);
+                if (k == wrong + 1 + count && k > 0) detector.AddJump();
+                else detector.Add(motion, ForgettingFactor, isUnconfirmed: k > wrong && k <= wrong + count);
             }
             return detector;
         }
@@ -66,6 +69,14 @@ namespace Nowpose.Tests.Core.Prediction.State
         }
 
         [Test]
+        public void Add_AbruptStopAfterSeveralWrongSamples_LeavesOutEarlierSamples()
+        {
+            var detector = WithWrongSamples(4, 3, 0.9, 1, 1, 1, 50, 1, 1, -46, 1, 1.1, 1, 0);
+
+            Assert.That((detector.SamplesSince, detector.SpeedIncreased), Is.EqualTo((1, false)));
+        }
+
+        [Test]
         public void Add_SameVelocityAsBeforeAWrongSample_IsNoChangePoint() =>
             Assert.That(WithWrongSample(4, 0.9, 1, 1, 1, 50, -48, 1.1).SamplesSince, Is.EqualTo(2));
 
@@ -95,7 +106,7 @@ namespace Nowpose.Tests.Core.Prediction.State
         public void AddJump_ConstantVelocity_IsTheOnlyChangePoint()
         {
             var buffer = new SampleBuffer<JointSample>(8, PredictionParts.None, PredictionLimits.Unlimited);
-            var (detector, motion) = (new ChangePointDetector(components: 1), new MotionState(1, 0, 8, buffer.Timing, omitsWrong: true));
+            var (detector, motion) = (new ChangePointDetector(), new MotionState(1, 0, 8, buffer.Timing, omitsWrong: true));
             for (var k = 0; k < 8; k++)
             {
                 buffer.Add(new JointSample(k * Interval, 0.01 * k + (k < 5 ? 0 : 3)), displayed: double.NaN);
