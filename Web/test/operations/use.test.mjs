@@ -56,7 +56,7 @@ describe('actions', () => {
   });
 
   it('list and download recordings with their sizes, and show a deleted one', async () => {
-    const page = await open();
+    const page = await open({ hasVirtualTime: true });
     await becomes(page, '#recordings', 'press-1.jsonl');
     assert.equal((await cells(page, 'press-1.jsonl'))[0], '2.50');
 
@@ -65,6 +65,8 @@ describe('actions', () => {
     assert.match(download.url(), /\/operations\/recordings\/press-1\.jsonl$/);
 
     gateway.recordings = [];
+    // The page requests the list every 5 s.
+    await page.clock.fastForward(5000);
     await becomes(page, '#recordings', emptyMessages.recordings);
     assert.equal(await page.textContent('#recordings-note'), '', 'a recording of another folder is not deleted');
     gateway.state.events = [{ id: 7, kind: 'recording', which: 'press-1.jsonl', what: 'was deleted', reason: '', level: 'warning', since_utc: ago(1), until_utc: ago(1) }];

@@ -60,13 +60,20 @@ describe('the connection for joint positions', () => {
   });
 
   it('is not attempted while the gateway does not respond', async () => {
-    const page = await open();
+    const page = await open({ hasVirtualTime: true });
     await showsToolError(page);
 
     gateway.isFull = gateway.isSilent = true;
     gateway.hangUp();
-    await becomes(page, '#status', operationsMessages.noState);
-    for (let i = 0; i < 5; i++) await page.waitForEvent('requestfailed');
+    const isState = request => request.url().endsWith('/state');
+    let request = page.waitForRequest(isState);
+    for (let i = 0; i < 5; i++) {
+      await request;
+      request = page.waitForRequest(isState);
+      // The page waits 4 s for a response.
+      await Promise.all([page.waitForEvent('requestfailed', isState), page.clock.fastForward(5000)]);
+      await becomes(page, '#status', operationsMessages.noState);
+    }
     assert.equal(gateway.connects, 1);
 
     gateway.isFull = gateway.isSilent = false;

@@ -1,0 +1,3 @@
+import { together } from '../../together.mjs';
+
+together('robots', new URL('.', import.meta.url));
