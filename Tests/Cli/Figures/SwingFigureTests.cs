@@ -3,7 +3,6 @@ using Nowpose.Cli.Figures;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Figures.Swing;
 using Nowpose.Cli.Messages;
-using Nowpose.Headless.Tests.Cli.Calibrate;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
 using NUnit.Framework;
@@ -112,19 +111,6 @@ public class SwingFigureTests
 
         Assert.That(figure.Verdict, Is.Not.EqualTo(Verdict.Holds), string.Join("; ", figure.Criteria.Select(c => c.Measured)));
         Assert.That(figure.Criteria[0].IsMet, Is.False, "35 ms too much");
-    }
-
-    // Two pictures per load are few, so the profile is not accurate.
-    [Test]
-    [ReadsPictures]
-    public void Runs_NoProfile_MeasureAProfileFromPictures()
-    {
-        var runs = new SwingRuns(Settings with { Phases = 1, Profile = null, PicturesPerLoad = 2 }, default);
-
-        runs.Work[0]();
-
-        Assert.That(runs.Profile.Visualisation.Length.TotalMilliseconds, Is.EqualTo(40).Within(1.5));
-        Assert.That(runs.Profile.Method, Is.EqualTo(CalibrationMethod.VisibleLight));
     }
 
     [Test]

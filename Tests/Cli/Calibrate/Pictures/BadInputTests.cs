@@ -9,12 +9,11 @@ using Nowpose.Messages;
 using Nowpose.Vision;
 using NUnit.Framework;
 
-namespace Nowpose.Headless.Tests.Cli.Calibrate;
+namespace Nowpose.Headless.Tests.Cli.Calibrate.Pictures;
 
 /// <summary>
 /// Tests calibrations with invalid input. Each of them must print one line with the reason and leave the existing profile unchanged.
 /// </summary>
-[ReadsPictures]
 public sealed class BadInputTests : CalibrationFolder
 {
     const int Width = 640, Height = 360, Side = 128;

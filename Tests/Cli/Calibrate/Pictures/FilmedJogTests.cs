@@ -5,9 +5,8 @@ using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using NUnit.Framework;
 
-namespace Nowpose.Headless.Tests.Cli.Calibrate;
+namespace Nowpose.Headless.Tests.Cli.Calibrate.Pictures;
 
-[NonParallelizable]
 public class FilmedJogTests : VideoFolder
 {
     const int Width = 320, Height = 160, Frames = 200, Patch = 32;
@@ -153,15 +152,5 @@ public class FilmedJogTests : VideoFolder
         var numbers = MessageNumbers.In(refusal, SineMessages.PatchLost("", 0, isRobot: true, 0, 0));
         Assert.That(numbers[0], Is.EqualTo(101));
         Assert.That(numbers[1], Is.LessThan(numbers[2]), "the match is below the required one");
-    }
-
-    [Test]
-    public async Task Sine_FfmpegMissing_SuggestsInstallingFfmpeg()
-    {
-        var video = Video();
-        UninstallFfmpeg();
-
-        Assert.That(await RefusalOf("sine", video, "--robot-box", "10,10,32,32", "--hologram-box", "50,10,32,32"),
-            Is.EqualTo(ConsoleMessages.Line(PictureMessages.FfmpegNeeded)));
     }
 }

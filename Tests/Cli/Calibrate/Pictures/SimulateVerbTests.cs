@@ -2,9 +2,8 @@ using Nowpose.Cli.Calibrate.Simulate;
 using Nowpose.Cli.Messages;
 using NUnit.Framework;
 
-namespace Nowpose.Headless.Tests.Cli.Calibrate;
+namespace Nowpose.Headless.Tests.Cli.Calibrate.Pictures;
 
-[ReadsPictures]
 public sealed class SimulateVerbTests
 {
     [Test]

@@ -9,13 +9,12 @@ using Nowpose.Latency.Profile;
 using Nowpose.Vision;
 using NUnit.Framework;
 
-namespace Nowpose.Headless.Tests.Cli.Calibrate;
+namespace Nowpose.Headless.Tests.Cli.Calibrate.Pictures;
 
 /// <summary>
 /// Tests the command <c>calibrate head</c>: from rendered pictures of a moving headset to readings, and from readings to a profile. HeadResultTests
 /// covers the estimation. Needs Node.js, as the build does.
 /// </summary>
-[ReadsPictures]
 public sealed class HeadVerbTests : CalibrationFolder
 {
     string SavedProfile()

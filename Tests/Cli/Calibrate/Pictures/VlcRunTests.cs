@@ -5,10 +5,9 @@ using Nowpose.Latency;
 using Nowpose.Vision;
 using NUnit.Framework;
 
-namespace Nowpose.Headless.Tests.Cli.Calibrate;
+namespace Nowpose.Headless.Tests.Cli.Calibrate.Pictures;
 
 /// <summary>Tests the evaluation of rendered pictures in series. Needs Node.js, as the build does.</summary>
-[ReadsPictures]
 public sealed class VlcRunTests
 {
     static PictureResult[] Read(SimulationSettings settings, IReadOnlyList<int> pictures)

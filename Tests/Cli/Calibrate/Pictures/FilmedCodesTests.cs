@@ -5,10 +5,9 @@ using Nowpose.Latency.Sweep;
 using Nowpose.Simulation;
 using NUnit.Framework;
 
-namespace Nowpose.Headless.Tests.Cli.Calibrate;
+namespace Nowpose.Headless.Tests.Cli.Calibrate.Pictures;
 
 /// <summary>Tests a filmed load sweep. The video shows every fourth frame, with both codes side by side in front of a dark wall.</summary>
-[NonParallelizable]
 public class FilmedCodesTests : VideoFolder
 {
     const int Width = 480, Height = 240, Cell = 16, FramesPerLoad = 48, FramesPerPicture = 4;
@@ -105,17 +104,6 @@ public class FilmedCodesTests : VideoFolder
         var run = await CliRun.OfAsync("calibrate", "vlc", video, "--json", "--out", Out);
 
         Assert.That(JsonDocument.Parse(run.Output).RootElement.GetProperty("decoded").GetInt32(), Is.EqualTo(Count), run.Errors);
-    }
-
-    [Test]
-    public async Task Vlc_FfmpegMissing_SuggestsInstallingFfmpegAndKeepsTheProfile()
-    {
-        File.WriteAllText(Path.Combine(Directory.CreateDirectory(Out).FullName, "profile.json"), "good");
-        UninstallFfmpeg();
-
-        Assert.That(await RefusalOf("vlc", _video, "--sweep", _sweep),
-            Is.EqualTo(ConsoleMessages.Line(PictureMessages.FfmpegNeeded)));
-        Assert.That(await File.ReadAllTextAsync(ProfilePath), Is.EqualTo("good"));
     }
 
     [Test]

@@ -1,9 +1,11 @@
+using System.Diagnostics;
 using System.Globalization;
 using NUnit.Framework;
 
-namespace Nowpose.Headless.Tests.Cli.Calibrate;
+namespace Nowpose.Headless.Tests.Cli.Calibrate.Pictures;
 
 /// <summary>Base class of tests with videos. Replaces ffmpeg and ffprobe with scripts that output the pictures drawn by the test.</summary>
+/// <remarks>The scripts are added to the path of this process. This does not affect tests that run meanwhile: they start other programs.</remarks>
 [Platform(Exclude = "Win", Reason = "the stand-ins are shell scripts")]
 public abstract class VideoFolder : CalibrationFolder
 {
@@ -51,19 +53,16 @@ public abstract class VideoFolder : CalibrationFolder
     }
 
     /// <summary>Replaces a program with a short shell script.</summary>
+    /// <remarks>
+    /// Another process writes the script. Linux does not run a file that is open for writing, and programs that other tests start meanwhile inherit
+    /// the files that this process has open.
+    /// </remarks>
     protected void Script(string name, string command)
     {
-        var path = Path.Combine(Directory.CreateDirectory(Path.Combine(Folder, "bin")).FullName, name);
-        File.WriteAllText(path, "#!/bin/sh\n" + command + "\n");
-        if (!OperatingSystem.IsWindows()) File.SetUnixFileMode(path, UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.UserExecute);
-    }
-
-    /// <summary>Removes all programs except node from the path.</summary>
-    protected void UninstallFfmpeg()
-    {
-        var node = (_path ?? "").Split(Path.PathSeparator).First(folder => File.Exists(Path.Combine(folder, "node")));
-        var only = Directory.CreateDirectory(Path.Combine(Folder, "only")).FullName;
-        File.CreateSymbolicLink(Path.Combine(only, "node"), Path.Combine(node, "node"));
-        Environment.SetEnvironmentVariable("PATH", only);
+        var text = Write(name + ".sh", ["#!/bin/sh", command]);
+        var folder = Directory.CreateDirectory(Path.Combine(Folder, "bin")).FullName;
+        using var installation = Process.Start("install", ["-m", "755", text, Path.Combine(folder, name)]);
+        installation.WaitForExit();
+        Assert.That(installation.ExitCode, Is.Zero, name);
     }
 }

@@ -6,10 +6,9 @@ using Nowpose.Latency.Profile;
 using Nowpose.Messages;
 using NUnit.Framework;
 
-namespace Nowpose.Headless.Tests.Cli.Calibrate;
+namespace Nowpose.Headless.Tests.Cli.Calibrate.Pictures;
 
 /// <summary>Tests the command <c>calibrate vlc</c>, which reads pictures and writes a latency profile. Needs Node.js, as the build does.</summary>
-[ReadsPictures]
 public sealed class VlcVerbTests
 {
     /// <summary>A grey PNG of one pixel.</summary>
@@ -22,7 +21,7 @@ public sealed class VlcVerbTests
     public async Task TakePictures()
     {
         _folder = Path.Combine(Path.GetTempPath(), "nowpose-" + Guid.NewGuid().ToString("N"));
-        var run = await ReadsPicturesAttribute.BeforeTestsAsync(
+        var run = await CliRun.OfAsync(
             "calibrate", "simulate", "--pictures", "24", "--spoiled", "0.05", "--seed", "11", "--out", _folder);
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
     }
