@@ -115,9 +115,9 @@ public class ReplayVerbTests
     }
 
     // A motion with one row every 10 ms, whose time stamps are in the given unit.
-    string Stamped(double perSecond, string header, Func<double, string> positions)
+    string Stamped(int rows, double perSecond, string header, Func<double, string> positions)
     {
-        File.WriteAllLines(_file, [header, .. Enumerable.Range(0, 2001).Select(i =>
+        File.WriteAllLines(_file, [header, .. Enumerable.Range(0, rows).Select(i =>
             FormattableString.Invariant($"{0.01 * perSecond * i},") + positions(0.01 * i))]);
         return _file;
     }
@@ -130,7 +130,8 @@ public class ReplayVerbTests
     [TestCase("t_s,x,y,z,qx,qy,qz,qw")]
     public async Task Replay_TimeStampsInMilliseconds_WarnsThatSamplesAreInterpolated(string header)
     {
-        var run = await Run(Stamped(1000, header, header == "t,a" ? Swing : Shift), "--json");
+        // Each second of this motion is replayed as 1000 s.
+        var run = await Run(Stamped(201, 1000, header, header == "t,a" ? Swing : Shift), "--json");
 
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
         Assert.That(run.Complaints, Is.EqualTo(new[] { ConsoleMessages.Line($"{_file}: {ReplayMessages.CoarseRows(10_000, 50)}") }));
@@ -142,7 +143,7 @@ public class ReplayVerbTests
     [TestCase("50", false)]
     public async Task Replay_RowsAboutAsOftenAsSamples_WarnsOnlyIfTheyAreCoarser(string samplingMs, bool warns)
     {
-        var run = await Run(Stamped(1.06, "t,a", Swing), "--sampling-ms", samplingMs);
+        var run = await Run(Stamped(2001, 1.06, "t,a", Swing), "--sampling-ms", samplingMs);
 
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
         Assert.That(run.Complaints.Length, Is.EqualTo(warns ? 1 : 0), run.Errors);
