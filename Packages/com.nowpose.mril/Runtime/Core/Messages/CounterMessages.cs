@@ -4,7 +4,9 @@ namespace Nowpose.Messages
     static class CounterMessages
     {
         public static string Missing(string reason) =>
-            $"this platform does not have the Windows performance counter ({reason}); disable the component Display Time";
+            $"the Windows performance counter was not found ({reason}); on a HoloLens or a PC with Windows, report this line; otherwise, disable the "
+            + "component Display Time";
+
         public static string WentBack(int readings) => $"the performance counter went back in all {readings} readings; restart the device";
 
         public static string NotWorking(string frequency) =>
