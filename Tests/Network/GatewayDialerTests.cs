@@ -49,6 +49,19 @@ public sealed class GatewayDialerTests
         Assert.That(failure.Message, Is.EqualTo(ConnectionMessages.NotConnected("gateway.example:1", SocketError.HostNotFound)));
     }
 
+    // A UWP app without a network capability gets this error, and so does an Android app without the permission INTERNET.
+    [Test]
+    public void Open_NetworkNotAllowed_ThrowsWithTheCapabilities()
+    {
+        var dialer = new GatewayDialer(
+            new ConnectionSettings("127.0.0.1"), (tcp, address, port) => throw new SocketException((int)SocketError.AccessDenied));
+
+        var failure = Assert.ThrowsAsync<GatewayRefusalException>(() => dialer.OpenAsync(1, default).Bounded());
+
+        Assert.That(failure.Message, Is.EqualTo(ConnectionMessages.NotConnected("127.0.0.1:1", SocketError.AccessDenied)));
+        Assert.That(failure.Message, Does.Contain("PrivateNetworkClientServer").And.Contain("InternetClient").And.Contain("Internet Access"));
+    }
+
     [Test]
     public async Task Open_FirstAttemptGetsNoAnswer_ConnectsWithTheSecondAndClosesTheFirst()
     {

@@ -66,7 +66,7 @@ namespace Nowpose.Editor.Setup
             project => project.UsesIl2Cpp ? CheckResult.Good("IL2CPP") : CheckResult.Missing(CheckResults.ScriptingBackend),
             "Use IL2CPP", ProjectCheck.Always(project => project.UsesIl2Cpp = true));
 
-        /// <summary>Checks whether the app declares a capability. Without it, Windows refuses access and does not report an error.</summary>
+        /// <summary>Checks whether the app declares a capability. Without it, Windows refuses access; only the network reports an error.</summary>
         /// <param name="why">Purpose of the capability.</param>
         /// <param name="without">State of a project that does not declare the capability.</param>
         public static ProjectCheck Capability(PlayerSettings.WSACapability capability, string why, CheckState without = CheckState.Missing) =>

@@ -44,6 +44,10 @@ namespace Nowpose.Messages
                 case SocketError.NoData:
                 case SocketError.TryAgain:
                     return $"{address}: the network does not know this host name; check it, or enter the gateway's IP address";
+                // The network capability of UWP or the permission INTERNET of Android is missing, or a firewall refuses the app's connections.
+                case SocketError.AccessDenied:
+                    return $"{address}: this device does not allow the app to use the network; in Unity's Player settings, declare the capabilities "
+                        + "PrivateNetworkClientServer and InternetClient (UWP), or set Internet Access to Require (Android); on a PC, check the firewall";
                 default:
                     return $"{address}: the connection failed ({error}); check host and port, the network, and that the gateway is running";
             }
