@@ -5,7 +5,7 @@ using UnityEditor.UnityLinker;
 
 namespace Nowpose.Editor
 {
-    /// <summary>In each build of a project with this package, passes to Unity's linker the list of the assemblies that it must not strip.</summary>
+    /// <summary>In each build of a project with this package, passes to Unity's linker the list of the code that it must not strip.</summary>
     /// <remarks>
     /// Unity reads a link.xml only from Assets/, so a package must supply one through this interface. The assemblies:
     /// <list type="bullet">
@@ -18,6 +18,9 @@ namespace Nowpose.Editor
     /// <item>MathNet.Numerics is not protected: the package calls its regression and distributions directly, and they do not use reflection.
     /// Protection would add megabytes of code and minutes to each build.</item>
     /// <item>Newtonsoft.Json is not protected: at run time, the package uses only its token reader and writer, without reflection.</item>
+    /// <item>Of System.Configuration and System, only the types are protected that Mono creates by name when the first TLS connection checks a
+    /// certificate, in the static constructor of ServicePointManager. With high stripping they would be missing, and each connection would fail.
+    /// </item>
     /// </list>
     /// </remarks>
     public sealed class LinkerProtection : IUnityLinkerProcessor
@@ -31,6 +34,12 @@ namespace Nowpose.Editor
             + "  <assembly fullname=\"Nowpose.OpenXR\" preserve=\"all\" ignoreIfMissing=\"1\"/>\n"
             + "  <assembly fullname=\"Nowpose.OpenXR.Anchoring\" preserve=\"all\" ignoreIfMissing=\"1\"/>\n"
             + "  <assembly fullname=\"Nowpose.MRTK3\" preserve=\"all\" ignoreIfMissing=\"1\"/>\n"
+            + "  <assembly fullname=\"System.Configuration\" ignoreIfMissing=\"1\">\n"
+            + "    <type fullname=\"System.Configuration.ExeConfigurationHost\" preserve=\"all\"/>\n"
+            + "  </assembly>\n"
+            + "  <assembly fullname=\"System\" ignoreIfMissing=\"1\">\n"
+            + "    <namespace fullname=\"System.Net.Configuration\" preserve=\"all\"/>\n"
+            + "  </assembly>\n"
             + "</linker>\n";
 
         public int callbackOrder => 0;

@@ -32,10 +32,27 @@ public sealed class LinkerProtectionTests : EditorFixture
 
         var path = Project.InRoot(() => new LinkerProtection().GenerateAdditionalLinkXmlFile(null, null));
 
-        var kept = XDocument.Load(path).Root.Elements("assembly").ToList();
+        var kept = WholeAssemblies(path);
         var ours = RepositoryFiles.Under(RepositoryFiles.Package + "/Runtime", ".asmdef").Select(Path.GetFileNameWithoutExtension);
         Assert.That(kept.Select(e => (string)e.Attribute("fullname")), Does.Contain("Nowpose.Unity").And.SubsetOf(ours));
         Assert.That(kept.Select(e => (string)e.Attribute("preserve")), Is.Not.Empty.And.All.EqualTo("all"));
+    }
+
+    [TestCase("System.Configuration", "type", "System.Configuration.ExeConfigurationHost")]
+    [TestCase("System", "namespace", "System.Net.Configuration")]
+    public void Generate_AnyProject_PreservesTypesThatMonoCreatesByName(string assembly, string kind, string name)
+    {
+        using var folder = new ProjectFolder();
+        folder.Write("Packages/manifest.json", "{}");
+        Project.Open(folder.Root);
+
+        var path = Project.InRoot(() => new LinkerProtection().GenerateAdditionalLinkXmlFile(null, null));
+
+        var listed = XDocument.Load(path).Root.Elements("assembly").SingleOrDefault(e => (string)e.Attribute("fullname") == assembly);
+        Assert.That(listed, Is.Not.Null);
+        Assert.That((string)listed.Attribute("ignoreIfMissing"), Is.EqualTo("1"), "IL2CPP builds may lack it");
+        var kept = listed.Elements(kind).Single();
+        Assert.That(((string)kept.Attribute("fullname"), (string)kept.Attribute("preserve")), Is.EqualTo((name, "all")));
     }
 
     [Test]
@@ -47,7 +64,7 @@ public sealed class LinkerProtectionTests : EditorFixture
 
         var path = Project.InRoot(() => new LinkerProtection().GenerateAdditionalLinkXmlFile(null, null));
 
-        var kept = XDocument.Load(path).Root.Elements("assembly").ToDictionary(
+        var kept = WholeAssemblies(path).ToDictionary(
             e => (string)e.Attribute("fullname"), e => (string)e.Attribute("ignoreIfMissing") == "1");
         var definitions = RepositoryFiles.Under(RepositoryFiles.Package + "/Runtime", ".asmdef").ToArray();
         Assert.That(definitions, Is.Not.Empty);
@@ -62,4 +79,6 @@ public sealed class LinkerProtectionTests : EditorFixture
             if (hasComponents) Assert.That(kept[name], Is.EqualTo(isOptional), name + ": ignoreIfMissing belongs to assemblies for optional packages");
         }
     }
+
+    static List<XElement> WholeAssemblies(string path) => XDocument.Load(path).Root.Elements("assembly").Where(e => !e.HasElements).ToList();
 }
