@@ -2,6 +2,7 @@ using Nowpose.Messages;
 using Nowpose.Pairing;
 using Nowpose.Unity;
 using NUnit.Framework;
+using UnityEngine;
 using static Nowpose.Unity.Tests.Pairing.PlayedPairing;
 
 namespace Nowpose.Unity.Tests.Pairing;
@@ -117,11 +118,15 @@ public class TypedCodeTests
         Assert.That((_played.Pairing.Cell, _played.Pairing.Problem), Is.EqualTo(("desk", (string)null)));
     }
 
-    [Test]
-    public void File_OfTwoPairings_IsSavedByTheFirst()
+    // Objects of a scene that is loaded additively, or kept by DontDestroyOnLoad, are in another scene.
+    [TestCase(false)]
+    [TestCase(true)]
+    public void File_OfTwoPairings_IsSavedByTheFirst(bool isInOtherScene)
     {
         Pair(Desk);
+        if (isInOtherScene) World.Current.Scenes.Active = World.Current.Scenes.Add("Other", "");
         var second = _played.Cell.NewSession();
+        Assert.That(second.gameObject.scene == _played.Session.gameObject.scene, Is.Not.EqualTo(isInOtherScene));
         var pairing = second.gameObject.AddComponent<CellPairing>().With("_fileName", _played.FilePath);
         second.gameObject.SetActive(true);
         var before = File.ReadAllText(_played.FilePath);

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
@@ -49,6 +50,10 @@ namespace Nowpose.Unity
 
         [SerializeField, Tooltip("Called when a problem has occurred. The property Words states it.")]
         UnityEvent _onProblem = new UnityEvent();
+
+        // The enabled pairings of all scenes, in the order in which they were enabled. Each removes itself, also when play mode ends, so the list is
+        // correct without a domain reload.
+        static readonly List<CellPairing> Enabled = new List<CellPairing>();
 
         readonly AppliedCell _applied = new AppliedCell();
         readonly CodesInView _view = new CodesInView();
@@ -121,11 +126,13 @@ namespace Nowpose.Unity
             _path = Path.Combine(Application.persistentDataPath, _fileName);
             Flow = new PairingFlow(PairedCellsFile.Load(_path, out _fileProblem, out var isUnread), _name, SendInBackground);
             _unsaved = isUnread ? _fileProblem : null;
+            Enabled.Add(this);
             if (_fileProblem != null) ConsoleLog.Warn(this, _fileProblem);
         }
 
         void OnDisable()
         {
+            Enabled.Remove(this);
             Flow?.Dispose();
             Flow = null;
             ShowQuestion();
@@ -185,7 +192,9 @@ namespace Nowpose.Unity
             try
             {
                 if (_unsaved != null) throw new InputException(_unsaved);
-                if (FirstOfFile() is CellPairing first && first != this) throw new InputException(PairedCellMessages.Shared(_path, first.name));
+                // Two pairings with the same file would replace the cells of each other, so only the first saves.
+                var first = Enabled.Find(each => each._path == _path);
+                if (first != this) throw new InputException(PairedCellMessages.Shared(_path, first.name));
                 PairedCellsFile.Save(_path, Flow.Cells);
                 _fileProblem = null;
             }
@@ -194,15 +203,6 @@ namespace Nowpose.Unity
                 if (_fileProblem != fault.Message) ConsoleLog.Warn(this, fault.Message);
                 _fileProblem = fault.Message;
             }
-        }
-
-        // The first enabled pairing of the scene that uses the file: two would replace the cells of each other.
-        CellPairing FirstOfFile()
-        {
-            foreach (var root in gameObject.scene.GetRootGameObjects())
-                foreach (var each in root.GetComponentsInChildren<CellPairing>())
-                    if (each.Flow != null && each._path == _path) return each;
-            return null;
         }
 
         static Task<PairingAnswer> SendInBackground(ConnectionSettings gateway, string token, CancellationToken cancel) =>
