@@ -23,6 +23,10 @@ static class UnityProjectMessages
     public static string Conflicts(string conflicts, string rules) => $"{conflicts}. Correct the manifest, or use --on-conflict {rules}.";
     public static string EntryKept(string conflict) => $"{conflict}; the entry is kept";
 
+    public static string SecondCopy(string file, string package) =>
+        $"{file}: the package {package} contains this library, too, and Unity compiles no scripts with two copies; remove this file "
+        + "(in NuGetForUnity: uninstall it); your scripts can use the package's copy";
+
     public const string Backup = "Backup of the manifest: ";
     public const string NoPath = "PATH is empty; enter the folder of a Unity project";
 

@@ -8,6 +8,13 @@ sealed class Preparation
 {
     const string InUnity = UnityNextSteps.InUnity;
 
+    // Libraries in needed packages that projects often have in another copy, for example from NuGetForUnity.
+    static readonly (string File, string Package)[] Libraries =
+    [
+        ("MathNet.Numerics.dll", "org.nuget.mathnet.numerics"),
+        ("Newtonsoft.Json.dll", "com.unity.nuget.newtonsoft-json"),
+    ];
+
     static readonly string[] AfterMrtk3 =
     [
         UnityNextSteps.Git,
@@ -77,6 +84,8 @@ sealed class Preparation
         if (_merge.Conflicts.Count > 0) Report(_merge.Conflicts);
         _changes.AddRange(_merge.Changes);
         _notes.AddRange(_merge.Notes);
+        foreach (var (file, library) in Libraries)
+            _notes.AddRange(Project.Imported(file).Select(copy => UnityProjectMessages.SecondCopy(copy, library)));
         foreach (var name in _settings.Samples.Distinct(StringComparer.OrdinalIgnoreCase)) PlanSample(SampleCopy.Plan(Project, package, name));
     }
 

@@ -39,6 +39,19 @@ sealed class UnityProject
     /// <summary>Gets whether a package is embedded in the project. The manifest has no effect on an embedded package.</summary>
     public bool Embeds(string package) => File.Exists(Path.Combine(Root, "Packages", package, "package.json"));
 
+    /// <summary>Finds the files of this name below Assets that Unity imports. It ignores names that begin with a dot or end with a tilde.</summary>
+    /// <returns>Absolute paths, in ordinal order.</returns>
+    public IEnumerable<string> Imported(string name)
+    {
+        var assets = Path.Combine(Root, "Assets");
+        if (!Directory.Exists(assets)) return [];
+        return Directory.EnumerateFiles(assets, name, SearchOption.AllDirectories)
+            .Where(file => !Path.GetRelativePath(assets, file).Split(Path.DirectorySeparatorChar).Any(IsIgnored))
+            .Order(StringComparer.Ordinal);
+    }
+
+    static bool IsIgnored(string name) => name.StartsWith('.') || name.EndsWith('~');
+
     static string VersionIn(string root) => Path.Combine(root, "ProjectSettings", "ProjectVersion.txt");
 
     static string ManifestIn(string root) => Path.Combine(root, "Packages", "manifest.json");

@@ -114,6 +114,35 @@ public class UnityVerbTests
         Assert.That(Json(project.Manifest).GetProperty("enableLockFile").GetBoolean());
     }
 
+    [TestCase("Assets/Packages/MathNet.Numerics.5.0.0/lib/netstandard2.0/MathNet.Numerics.dll", "org.nuget.mathnet.numerics")]
+    [TestCase("Assets/Plugins/Newtonsoft.Json.dll", "com.unity.nuget.newtonsoft-json")]
+    public async Task Unity_LibraryOfTheProject_WarnsWithItsPath(string library, string package)
+    {
+        using var project = new UnityProjectFolder(Empty);
+        project.Write(library, "");
+
+        var run = await project.RunAsync();
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        Assert.That(run.Errors.Trim().Split('\n'), Has.Length.EqualTo(1));
+        Assert.That(run.Errors, Does.Contain(Path.Combine(project.Root, library)).And.Contain(package));
+    }
+
+    // Unity does not import folders and files with these names.
+    [TestCase("Assets/Plugins/MathNet.Numerics.Data.dll")]
+    [TestCase("Assets/Old~/MathNet.Numerics.dll")]
+    [TestCase("Assets/.unused/Newtonsoft.Json.dll")]
+    [TestCase("Library/PackageCache/org.nuget.mathnet.numerics@5.0.0/MathNet.Numerics.dll")]
+    public async Task Unity_OtherLibrary_DoesNotWarn(string library)
+    {
+        using var project = new UnityProjectFolder(Empty);
+        project.Write(library, "");
+
+        var run = await project.RunAsync();
+
+        Assert.That((run.ExitStatus, run.Errors), Is.EqualTo((0, "")));
+    }
+
     [Test]
     public async Task Unity_ProjectOfThisRepository_NeedsNoChanges()
     {
