@@ -29,8 +29,8 @@ namespace Nowpose.Editor.Messages
             + "does not follow the head.";
 
         public const string InternetAccess =
-            "Android refuses network connections of an app without the permission INTERNET; Unity adds the permission automatically only if the app "
-            + "uses Unity's own network classes.";
+            "Android refuses network connections of an app without the permission INTERNET. A development build always has the permission; with Auto, a "
+            + "release build has it only if the app uses Unity's own network classes.";
 
         public const string Mrtk3 = "The sample HoloLens 2 (MRTK3) uses it for the hand menu, voice commands and grabbing; the package works without it.";
 
@@ -72,7 +72,7 @@ namespace Nowpose.Editor.Messages
 
         public const string RunInBackground = "Otherwise the session ends whenever the system's menu opens, and must synchronise its clock again.";
 
-        public static string ScriptingBackend(string headset) => $"IL2CPP is the only backend for the ARM64 processor of {headset}.";
+        public const string ScriptingBackend = "IL2CPP is needed for 64-bit ARM and recommended for x86-64.";
 
         public const string UnityVersion = "Other versions may lack functions that the package or Microsoft's plug-in uses.";
     }

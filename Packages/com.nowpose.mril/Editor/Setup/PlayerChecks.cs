@@ -54,17 +54,17 @@ namespace Nowpose.Editor.Setup
                 return CheckFixes.InputHandling(InputNames[InputSystem]);
             });
 
+        public static ProjectCheck ScriptingBackend { get; } = new ProjectCheck(
+            CheckTitles.ScriptingBackend, CheckReasons.ScriptingBackend,
+            project => project.UsesIl2Cpp ? CheckResult.Good("IL2CPP") : CheckResult.Missing(CheckResults.ScriptingBackend),
+            "Use IL2CPP", ProjectCheck.Always(project => project.UsesIl2Cpp = true));
+
         public static ProjectCheck BuildTarget(HeadsetPlatform platform) => new ProjectCheck(
             CheckTitles.BuildTarget(platform.Player), CheckReasons.BuildTarget(platform.Headset),
             project => project.OtherTarget == null
                 ? CheckResult.Good(project.Platform.Player) : CheckResult.Missing(CheckResults.BuildTarget(project.OtherTarget)),
             CheckTitles.SwitchTo(platform.ShortPlayer),
             project => project.SwitchToPlatform() ? null : CheckFixes.BuildSupport(project.Platform.Player));
-
-        public static ProjectCheck ScriptingBackend(HeadsetPlatform platform) => new ProjectCheck(
-            CheckTitles.ScriptingBackend, CheckReasons.ScriptingBackend(platform.Headset),
-            project => project.UsesIl2Cpp ? CheckResult.Good("IL2CPP") : CheckResult.Missing(CheckResults.ScriptingBackend),
-            "Use IL2CPP", ProjectCheck.Always(project => project.UsesIl2Cpp = true));
 
         /// <summary>Checks whether the app declares a capability. Without it, Windows refuses access; only the network reports an error.</summary>
         /// <param name="why">Purpose of the capability.</param>
