@@ -3,7 +3,7 @@ import { shown } from '../configuration/problem';
 import type { Publisher } from '../gateway/link';
 import { JOINT_STATES, jointState, topicOf } from '../gateway/messages';
 import type { AdapterStatus } from '../gateway/status';
-import { decelerationFloor, EndOfData } from '../samples/endOfData';
+import { type EndOfData, endOfJoint } from '../samples/endOfData';
 import type { SampleSilence } from '../samples/sampleSilence';
 import { StampRule } from '../samples/stampRule';
 import { type Nanoseconds, NS_PER_S, ofRosTime } from '../times';
@@ -96,7 +96,7 @@ export class JointStates {
     }
     let state = this.#joints.get(joint);
     if (state === undefined) {
-      state = { rule: new StampRule(this.oldest), position, end: new EndOfData(decelerationFloor(isLinear), maxDeceleration), isJudged: false };
+      state = { rule: new StampRule(this.oldest), position, end: endOfJoint(isLinear, maxDeceleration), isJudged: false };
       this.#joints.set(joint, state);
     }
     if (state.rule.isNewest(stamp)) {

@@ -55,11 +55,17 @@ const GOES_ON_STEPS = 3;
 /** A joint counts as stopped at its last position if its next motion starts near that position: at most this fraction of its last step away. */
 const STOPPED_NEAR = 0.25;
 
+const TURN = 2 * Math.PI;
+
 /** Deceleration that every joint is assumed to be capable of, in rad/s² and m/s²: a third of the deceleration in a hard emergency stop. */
 const FLOOR_ROTARY = 12;
 const FLOOR_LINEAR = 3;
 
 export const decelerationFloor = (isLinear = false): number => (isLinear ? FLOOR_LINEAR : FLOOR_ROTARY);
+
+/** @param maxDeceleration Configured maximum deceleration in rad/s² or m/s²; null if unknown. */
+export const endOfJoint = (isLinear = false, maxDeceleration: number | null = null): EndOfData =>
+  new EndOfData(decelerationFloor(isLinear), maxDeceleration, Infinity, !isLinear);
 
 /** Origin of a deceleration limit: the configuration, the joint's samples, or the assumed floor. */
 type LimitBasis = 'configured' | 'observed' | 'assumed';
@@ -95,11 +101,13 @@ export class EndOfData {
    * @param floor Deceleration that the joint is assumed to be capable of, in rad/s² or m/s².
    * @param configured Configured maximum deceleration in the same unit, which replaces the floor and the observed values. Null if unknown.
    * @param maxQuantum Largest quantum of a value that changes by one quantum per sample. Larger steps that are all equal are a constant speed.
+   * @param isAngle Whether the position is an angle in rad, which a source may state without whole turns.
    */
   constructor(
     readonly floor: number,
     readonly configured: number | null = null,
     readonly maxQuantum = Infinity,
+    readonly isAngle = false,
   ) {}
 
   /** Time after the last sample at which the next sample of a moving joint is overdue, in ms. */
@@ -113,10 +121,12 @@ export class EndOfData {
   }
 
   /** Adds a sample, which is newer than the previous one. */
-  add(stamp: Nanoseconds, position: number): void {
+  add(stamp: Nanoseconds, value: number): void {
     this.#start ??= stamp;
     const time = this.#secondsOf(stamp);
     const last = this.#points.at(-1);
+    // Adds the whole turns that a modulo axis leaves out, since a joint moves by less than half a turn between two samples.
+    const position = this.isAngle && last !== undefined ? value - TURN * Math.round((value - last.position) / TURN) : value;
     if (last !== undefined && (time <= last.time || this.#isGap(time - last.time))) {
       if (time > last.time) this.#learnStop(position);
       this.#points.length = 0;

@@ -2,7 +2,7 @@ import type { Joint } from '../configuration/configuration';
 import type { Condition } from '../gateway/conditions';
 import type { AdapterStatus } from '../gateway/status';
 import { type Nanoseconds, NS_PER_MS, ofMilliseconds } from '../times';
-import { decelerationFloor, EndOfData } from './endOfData';
+import { type EndOfData, endOfJoint } from './endOfData';
 import type { Sample } from './grouping';
 import { numberIn } from './number';
 import type { PlantValue } from './plantOutput';
@@ -63,7 +63,7 @@ export class JointTrack {
     oldest: Nanoseconds,
   ) {
     this.#rule = new StampRule(oldest);
-    this.#motion = new EndOfData(decelerationFloor(joint.isLinear), joint.maxDeceleration ?? null);
+    this.#motion = endOfJoint(joint.isLinear, joint.maxDeceleration);
   }
 
   /** Gets the sample of a value; null if the value is refused, or is only used after it has been confirmed. */
