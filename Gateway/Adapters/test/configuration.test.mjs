@@ -94,7 +94,6 @@ describe('configuration', () => {
     ['PasswordInEndpoint', 'opc.tcp://plc', 'opc.tcp://me:word@plc', 'line 5: plant.endpoint: value "opc.tcp://***@plc.example:4840"; '],
     ['PasswordWithSlash', 'opc.tcp://plc', 'opc.tcp:/me:wo/rd@x@plc', 'line 5: plant.endpoint: value "opc.tcp:/***@plc'],
     ['UnknownUnit', 'unit: deg', 'unit: degrees', `line 9: joints[0].unit: ${configurationMessages.notAllowed('degrees', 'deg', ['rad', 'deg', 'm', 'mm'])}`],
-    ['UnitAndScale', 'scale: 0.5', 'scale: 0.5\n    unit: mm', `line 12: joints[1].scale: ${configurationMessages.unitAndScale}`],
     ['ScaleOfZero', 'scale: 0.5', 'scale: 0', 'line 12: joints[1].scale: value 0; '],
     ['ScaleInWords', 'scale: 0.5', 'scale: half', 'line 12: joints[1].scale: value "half"; '],
     ['OffsetNaN', 'offset: -1.5', 'offset: .nan', 'line 13: joints[1].offset: value .nan; '],

@@ -41,6 +41,34 @@ describe('units of joints', () => {
   });
 });
 
+describe('conversion of joints', () => {
+  for (const [entries, expected] of [
+    ['unit: deg, scale: -1', [-Math.PI / 180, false]], ['unit: mm, scale: -0.5', [-0.0005, true]], ['scale: 0.001', [0.001, false]], ['unit: deg', [Math.PI / 180, false]],
+  ])
+    it(`Joint_${entries}_HasTheProductOfBoth`, () => {
+      const path = temporaryFile('plant.yaml', `plant: { kind: opcua, endpoint: opc.tcp://plc }\njoints:\n  - { joint: a, node: i=1, ${entries} }\n`);
+
+      const { joints: [{ scale, isLinear }] } = readConfiguration(path, {}, kinds);
+
+      assert.deepEqual([scale, isLinear], expected);
+    });
+
+  for (const [entries, degrees, radians] of [
+    ['joint: elbow, node: i=1, unit: deg, offset: 180', 180, 3.14159], ['joint: turntable, node: i=1, offset: -90', -90, -1.5708],
+  ])
+    it(`Check_OffsetOf${degrees}OfARotaryJoint_WarnsWithTheOffsetInRadians`, () => {
+      const { file, warnings } = readConfiguration(plant(`  - { ${entries} }\n`), {}, kinds);
+
+      assert.deepEqual(warnings, [`${file}, line 4: joints[0].offset: ${configurationMessages.offsetBeyondATurn(degrees, radians)}`]);
+    });
+
+  it('Check_OffsetsOfUpToATurnOrOfALinearJoint_WarnsOfNone', () => {
+    const path = plant('  - { joint: elbow, node: i=1, unit: deg, offset: -6.2832 }\n  - { joint: axis > 1, node: i=3, scale: 0.01, offset: 12 }\n');
+
+    assert.deepEqual(readConfiguration(path, {}, kinds).warnings, []);
+  });
+});
+
 describe('addresses of joints', () => {
   const linesIn = (joints, others = '') => readConfiguration(temporaryFile('plant.yaml', `plant: { kind: opcua, endpoint: opc.tcp://plc }
 joints:

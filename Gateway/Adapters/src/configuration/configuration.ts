@@ -17,6 +17,9 @@ import { configurationMessages } from '../messages/configuration';
 
 const UNITS: Record<string, number> = { rad: 1, deg: Math.PI / 180, m: 1, mm: 0.001 };
 
+/** Offset of a rotary joint in rad above which it is probably in degrees: a full turn, rounded up. */
+const MAX_OFFSET = 6.3;
+
 export interface GatewayAddress {
   url: string;
   token: string | null;
@@ -129,6 +132,10 @@ export function readConfiguration(
   const namespaces = hasEntry(name, 'robots') ? Object.keys(content.robots ?? {}) : null;
   for (const [robot, urdf] of Object.entries({ ...configuration.robots, '': configuration.robot }))
     requireJoints(file, joints, robot, urdf, namespaces);
+  joints.forEach(({ offset, isLinear }, i) => {
+    if (isLinear !== true && Math.abs(offset) > MAX_OFFSET)
+      file.warn(['joints', i, 'offset'], configurationMessages.offsetBeyondATurn(offset, offset * UNITS.deg));
+  });
   warnOfSharedAddresses(file, values, joints);
   checkParents(file, content.frames ?? [], { ...configuration.robots, ...(configuration.robot === null ? {} : { '': configuration.robot }) });
   const settings = kind.check(file, content, configuration, environment);
@@ -192,14 +199,13 @@ function jointsOf(file: YamlFile, content: Content, silence: Silence): Joint[] {
     const path: Path = ['joints', i];
     if (lines.has(entry.joint)) file.report([...path, 'joint'], configurationMessages.nameTwice(entry.joint, lines.get(entry.joint), 'joint'));
     lines.set(entry.joint, file.lineOf([...path, 'joint']));
-    if (entry.unit !== undefined && entry.scale !== undefined) file.report([...path, 'scale'], configurationMessages.unitAndScale);
     const namespace = content.plant.namespace ?? '';
     return {
       ...entry,
       ...(namespace === ''
         ? namedIn(entry.joint, Object.keys(content.robots ?? {}))
         : { joint: `${namespace}/${entry.joint}`, robot: namespace, name: entry.joint }),
-      scale: entry.scale ?? UNITS[entry.unit ?? 'rad'],
+      scale: (entry.scale ?? 1) * UNITS[entry.unit ?? 'rad'],
       offset: entry.offset ?? 0,
       isLinear: entry.unit === 'm' || entry.unit === 'mm',
       maxDeceleration: entry.max_deceleration ?? content.plant.max_deceleration,

@@ -21,7 +21,8 @@ export const configurationMessages = {
   addressTwice: (address: string, label: string, line: number) =>
     `${address} is also the address of ${label} (line ${line}); correct it, unless both are computed from this variable`,
   valueTwice: (value: unknown, kind: string) => `value ${shown(value)} occurs twice; list each ${kind} once`,
-  unitAndScale: 'unit and scale are both set; remove one of the two',
+  offsetBeyondATurn: (value: number, radians: number) =>
+    wrongValue(value, `an offset is in rad, and this is more than a full turn; for ${value}°, enter ${Number(radians.toPrecision(6))}`),
   publishingTooShort: (publishingMs: number, samplingMs: number) => wrongValue(publishingMs, `allowed: ${samplingMs} ms (sampling_ms) to 10000 ms`),
   noTimeVariable: (entry: string) => wrongValue('variable', `add the section time with the ${entry} of the time variable`),
   unusedTime: (timestamp: string) => `timestamp is ${timestamp}; remove time, or set timestamp to variable`,
