@@ -4,7 +4,7 @@ import type { Refusal } from '../samples/stampRule';
 import { type Pose, tooFar } from './messages';
 import { IDENTITY, ofAngles, ofVector, type Quaternion, unit } from './rotation';
 
-/** Maximum change of a quaternion or rotation vector component between two samples. A larger change means that all signs have changed. */
+/** Maximum change of a component of a quaternion, or of a rotation vector in rad, between two samples. A larger one means that all signs have changed. */
 const MAX_STEP = 1;
 
 /** Value of `jump` for a number that must not be interpolated. */
@@ -27,7 +27,7 @@ export function poseOf(
     return all.includes(null) ? null : (all as number[]);
   };
   const place = found(position, Infinity);
-  const parts = rotation === null ? [] : found(rotation.parts, rotation.kind === 'angles' ? Math.PI / rotation.scale : MAX_STEP);
+  const parts = rotation === null ? [] : found(rotation.parts, maxStepOf(rotation));
   const [choice] = selector === null ? [0] : (found([selector], STEP) ?? [null]);
   if (place === null || parts === null || choice === null) return null;
   if (!Number.isInteger(choice) || choice < 0 || choice >= parents.length)
@@ -40,13 +40,15 @@ export function poseOf(
   return { frame, parent: parents[choice], position: metres, rotation: turned };
 }
 
+/** Gets the maximum change of a number of a rotation, in its own unit, that is interpolated. */
+function maxStepOf(rotation: NonNullable<Frame['rotation']>): number {
+  if (rotation.kind === 'quaternion') return MAX_STEP;
+  return (rotation.kind === 'vector' ? MAX_STEP : Math.PI) / rotation.scale;
+}
+
 function turnOf(rotation: Frame['rotation'], parts: number[]): Quaternion | null {
   if (rotation === null) return IDENTITY;
-  if (rotation.kind === 'angles')
-    return ofAngles(
-      parts.map(angle => angle * rotation.scale),
-      rotation.order,
-      rotation.isFixed,
-    );
-  return rotation.kind === 'vector' ? ofVector(parts) : unit(parts);
+  if (rotation.kind === 'quaternion') return unit(parts);
+  const radians = parts.map(part => part * rotation.scale);
+  return rotation.kind === 'vector' ? ofVector(radians) : ofAngles(radians, rotation.order, rotation.isFixed);
 }

@@ -12,9 +12,11 @@ export const WORLD = 'world';
 /** A component of a pose: a constant, or the index of a value that is read. */
 export type Component = { constant: number } | { value: number };
 
-/** The rotation of a frame: a unit quaternion x, y, z, w; a rotation vector in rad; or three angles about the axes in `order`. */
+/** The rotation of a frame: a unit quaternion x, y, z, w; a rotation vector; or three angles about the axes in `order`. `scale` converts to rad. */
 type RotationSource =
-  { kind: 'quaternion' | 'vector'; parts: Component[] } | { kind: 'angles'; parts: Component[]; order: string; isFixed: boolean; scale: number };
+  | { kind: 'quaternion'; parts: Component[] }
+  | { kind: 'vector'; parts: Component[]; scale: number }
+  | { kind: 'angles'; parts: Component[]; order: string; isFixed: boolean; scale: number };
 
 /** Maximum number of transforms from a frame to its root, as in the gateway. */
 const MAX_DEPTH = 16;
@@ -42,12 +44,13 @@ export interface Frame extends FrameSettings {
   rotation: RotationSource | null;
 }
 
-type Vector = Pick<NonNullable<PlantFile<'opcua'>['frames']>[number]['position'], 'x' | 'y' | 'z'>;
+/** An entry of the list of frames. */
+export type FrameEntry = EntryOf<'frames'>;
 
-type NumberEntry = Vector['x'];
+type NumberEntry = NonNullable<PlantFile<'opcua'>['frames']>[number]['position']['x'];
 
-/** An entry of the list of frames. `vector` is the rotation vector: the axis times the angle in rad. */
-export type FrameEntry = EntryOf<'frames'> & { vector?: Vector };
+/** The entries with the rotation of a frame, of which it may have one. */
+const ROTATIONS = ['quaternion', 'angles', 'rotation_vector'] as const;
 
 const LENGTHS: Record<string, number> = { m: 1, mm: 0.001 };
 const ANGLES: Record<string, number> = { rad: 1, deg: Math.PI / 180 };
@@ -71,7 +74,8 @@ export function framesOf(file: YamlFile, kind: Kind, entries: FrameEntry[], sile
     if (entry.frame === WORLD) file.report([...path, 'frame'], frameMessages.world(WORLD));
     if (seen.has(entry.frame)) file.report([...path, 'frame'], configurationMessages.nameTwice(entry.frame, seen.get(entry.frame), 'frame'));
     seen.set(entry.frame, file.lineOf([...path, 'frame']));
-    if (entry.quaternion !== undefined && entry.angles !== undefined) file.report([...path, 'angles'], frameMessages.quaternionAndAngles);
+    const rotations = ROTATIONS.filter(name => entry[name] !== undefined);
+    if (rotations.length > 1) file.report([...path, rotations[1]], frameMessages.severalRotations(rotations));
     reportQuaternion(file, entry, [...path, 'quaternion']);
     const settings = { frame: entry.frame, faultAfterMs: silenceMs(entry.silence ?? silence), maxDeceleration: entry.max_deceleration ?? null };
     if (entry.position === undefined) {
@@ -105,7 +109,7 @@ export function framesOf(file: YamlFile, kind: Kind, entries: FrameEntry[], sile
 function ofField({ field, ...entry }: FrameEntry): FrameEntry {
   if (field === undefined) return entry;
   const [x, y, z, rx, ry, rz] = Array.from({ length: 6 }, (_, index) => ({ field, index }));
-  return { ...entry, position: { unit: 'm', x, y, z }, vector: { x: rx, y: ry, z: rz } };
+  return { ...entry, position: { unit: 'm', x, y, z }, rotation_vector: { unit: 'rad', x: rx, y: ry, z: rz } };
 }
 
 function parentOf({ parent = WORLD }: FrameEntry, component: (label: string, found: NumberEntry) => Component): Pick<Frame, 'parents' | 'selector'> {
@@ -115,12 +119,15 @@ function parentOf({ parent = WORLD }: FrameEntry, component: (label: string, fou
 }
 
 function rotationOf(
-  { vector, quaternion, angles }: FrameEntry,
+  { quaternion, angles, rotation_vector: vector }: FrameEntry,
   component: (at: Path, label: string, found: NumberEntry) => Component,
 ): RotationSource | null {
   const parts = (key: string, numbers: Record<string, NumberEntry>): Component[] =>
-    Object.entries(numbers).map(([name, found]) => component([key, name], `${key} ${name}`, found));
-  if (vector !== undefined) return { kind: 'vector', parts: parts('vector', vector) };
+    Object.entries(numbers).map(([name, found]) => component([key, name], `${key.replace('_', ' ')} ${name}`, found));
+  if (vector !== undefined) {
+    const { x, y, z, unit } = vector;
+    return { kind: 'vector', parts: parts('rotation_vector', { x, y, z }), scale: ANGLES[unit] };
+  }
   if (quaternion !== undefined) {
     const { x, y, z, w } = quaternion;
     return { kind: 'quaternion', parts: parts('quaternion', { x, y, z, w }) };

@@ -37,7 +37,7 @@ export const configurationMessages = {
 /** Error messages about the configuration of frames. */
 export const frameMessages = {
   world: (name: string) => wrongValue(name, 'this is the name of the anchored frame of the cell, which has no parent; choose another name'),
-  quaternionAndAngles: 'quaternion and angles are both set; remove one of the two',
+  severalRotations: (names: string[]) => `${names.join(' and ')} are set; keep one of them`,
   /** @param value The components x, y, z and w. */
   constantQuaternion: (value: number[], frame: string, norm: number, minNorm: number, maxNorm: number) =>
     wrongValue(

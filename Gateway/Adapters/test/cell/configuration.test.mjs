@@ -7,7 +7,7 @@ import { ANY, like, messages } from '../messages.mjs';
 
 const { adsSettingMessages, configurationMessages, frameMessages, mqttMessages, opcuaSettingMessages, robotMessages, rosMessages } = messages;
 
-const { kinds, readConfiguration } = await parts('configuration/configuration', 'kinds');
+const { kinds, poseOf, readConfiguration } = await parts('cell/framePose', 'configuration/configuration', 'kinds');
 
 const OPCUA = `plant:
   kind: opcua
@@ -104,6 +104,24 @@ describe('configuration of frames, signals and robots', () => {
   it('Frames_OfMqtt_AreReadFromTopics', () => assert.deepEqual(read(MQTT).values.map(({ label, address }) => [label, address.topic, address.field]), [
     ['a', 'arm', 'q.0'], ['part parent', 'part', 'parent'], ['part x', 'part', 'pose.x'], ['part angle z', 'part/angle', undefined], ['closed', 'gripper/closed', undefined],
   ]));
+
+  // The quaternion of the matrix exponential, which was computed as a series with 40 digits.
+  for (const [unit, x, y, z] of [['rad', 1.2, -0.4, 0.9], ['deg', 68.75493541569878, -22.918311805232928, 51.56620156177409]])
+    it(`Frames_RotationVectorIn${unit}_IsTheRotationAboutItsDirection`, () => {
+      const vector = `rotation_vector: { unit: ${unit}, x: { symbol: MAIN.rx }, y: ${y}, z: ${z} }`;
+      const { frames: [frame], values } = read(ADS.replace(/quaternion.*/, vector).replace('x: { symbol: MAIN.x }', 'x: 0'));
+
+      const { rotation } = poseOf(frame, () => x);
+
+      assert.deepEqual(values.map(({ label, address }) => [label, address.symbol]), [['part rotation vector x', 'MAIN.rx'], ['closed', 'MAIN.bClosed']]);
+      [0.541539210885305094, -0.18051307029510169, 0.40615440816397882, 0.713574741183658226].forEach((part, i) => assert.ok(Math.abs(rotation[i] - part) < 1e-15, `${rotation}`));
+    });
+
+  it('Frames_RotationVectorOfRos_IsReadFromFields', () => {
+    const rack = '  - { frame: rack, topic: /rack, type: a/B, position: { unit: m, x: 0, y: 0, z: 0 }, rotation_vector: { unit: rad, x: { field: r.0 }, y: { field: r.1 }, z: { field: r.2 } } }\n';
+
+    assert.deepEqual(read(ROS.replace('signals:', `${rack}signals:`)).values.slice(0, 3).map(({ address }) => address.field), ['r.0', 'r.1', 'r.2']);
+  });
 
   it('Frames_MaxDeceleration_IsThatOfTheFrameAndNotOfThePlant', () => {
     const text = OPCUA.replace('  endpoint', '  max_deceleration: 15\n  endpoint').replace('frame: part', 'frame: part\n    max_deceleration: 40');
@@ -203,7 +221,9 @@ describe('configuration of frames, signals and robots', () => {
     ['InvalidOrderOfAngles', OPCUA, 'order: zyx', 'order: zzx', 'line 16: frames[1].angles.order: value "zzx"; '],
     ['AnglesWithoutAxes', OPCUA, 'axes: moving, ', '', 'line 16: frames[1].angles.axes: missing; '],
     ['TwoAngles', OPCUA, ', 0, 0 ]', ', 0 ]', 'line 16: frames[1].angles.values: value '],
-    ['TwoRotations', ADS, '    quaternion', '    angles: { order: xyz, axes: fixed, unit: rad, values: [0, 0, 0] }\n    quaternion', `line 8: frames[0].angles: ${frameMessages.quaternionAndAngles}`],
+    ['TwoRotations', ADS, '    quaternion', '    angles: { order: xyz, axes: fixed, unit: rad, values: [0, 0, 0] }\n    quaternion', `line 8: frames[0].angles: ${frameMessages.severalRotations(['quaternion', 'angles'])}`],
+    ['ThreeRotations', ADS, '    quaternion', '    rotation_vector: { unit: rad, x: 0, y: 0, z: 0 }\n    angles: { order: xyz, axes: fixed, unit: rad, values: [0, 0, 0] }\n    quaternion', `line 9: frames[0].angles: ${frameMessages.severalRotations(['quaternion', 'angles', 'rotation_vector'])}`],
+    ['RotationVectorWithoutUnit', ADS, 'quaternion: { x', 'rotation_vector: { x', 'line 8: frames[0].rotation_vector.unit: missing; '],
     ['ConstantQuaternionTooLong', ADS, '{ symbol: MAIN.qz }, w: { symbol: MAIN.qw }', '0, w: 2', `line 8: frames[0].quaternion: ${frameMessages.constantQuaternion([0, 0, 0, 2], 'part', 2, 0.999, 1.001)}`],
     ['ConstantQuaternionTooShort', ADS, '{ symbol: MAIN.qz }, w: { symbol: MAIN.qw }', '0, w: 0.998', `line 8: frames[0].quaternion: ${frameMessages.constantQuaternion([0, 0, 0, 0.998], 'part', 0.998, 0.999, 1.001)}`],
     ['RestWithoutOnChange', ADS, 'frame: part', 'frame: part\n    silence: rest', `line 7: frames[0].silence: ${adsSettingMessages.restWithoutOnChange}`],
