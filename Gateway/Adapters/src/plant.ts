@@ -34,11 +34,17 @@ export async function runPlant(configuration: CheckedConfiguration, log: Log, en
       if (!isMeasuring) status.refusedByGateway(reason);
     },
   });
-  const { clock_resolution_us: resolutionUs, group_ms: groupMs = GROUP_MS } = plant;
+  const { clock_resolution_us: resolutionUs, group_ms: groupMs = GROUP_MS, stamp_delay_ms: delayMs = 0 } = plant;
   const fixed = resolutionUs === undefined ? null : ofMilliseconds(resolutionUs / 1000);
   const clock = new OfferedClock(gateway, plant.name, fixed, undefined, coarse => reportCoarse(status, log, coarse));
-  const limits = { tolerance: ofMilliseconds(groupMs), oldest: ofMilliseconds(plant.oldest_ms), faultAfterMs: silenceMs(plant.silence) };
-  const output = new PlantOutput(configuration, limits, clock, gateway, status);
+  const options = {
+    tolerance: ofMilliseconds(groupMs),
+    oldest: ofMilliseconds(plant.oldest_ms),
+    faultAfterMs: silenceMs(plant.silence),
+    stampDelay: ofMilliseconds(delayMs),
+  };
+  const output = new PlantOutput(configuration, options, clock, gateway, status);
+  if (delayMs !== 0) status.detail('stamp_delay_ms', delayMs);
   clock.stepped = () => output.clockStepped();
   gateway.watch(output.signals.sender);
   gateway.watch(output.repeater);

@@ -91,14 +91,14 @@ export async function run(context: AdapterContext<RosSettings>): Promise<void> {
 
   const { namespace } = settings;
   const names = new JointNames(configuration.joints, namespace, settings.maxDeceleration);
-  const states = new JointStates(names, oldest, clock, gateway, status, output.joints.silence);
+  const states = new JointStates(names, oldest, clock, output.stamped, status, output.joints.silence);
   robot.subscribe(settings.jointStates, message => states.pass(message), JOINT_STATE);
   const configured = namespace in configuration.robots ? configuration.robots[namespace] : configuration.robot;
   const description =
     configured !== null || settings.robotDescription === null ? null : new RobotDescription(settings.robotDescription, namespace, gateway, status);
   if (settings.jointTrajectory !== null) robot.subscribe(settings.jointTrajectory, passTrajectory, TRAJECTORY);
 
-  const frames = new RosFrames(settings, oldest, clock, gateway, status, output.frames.states);
+  const frames = new RosFrames(settings, oldest, clock, output.stamped, status, output.frames.states);
   if (configured !== null) frames.describe(configured);
   if (description !== null) robot.subscribe(description.topic, message => describe(description, message?.data), STRING);
   if (settings.frames.some(({ topic }) => topic === null)) robot.subscribe(settings.tf, message => frames.pass(message), TRANSFORMS);

@@ -3,6 +3,7 @@ import { SignalOutput } from '../cell/signalOutput';
 import type { OfferedClock } from '../clock/offeredClock';
 import type { Configuration } from '../configuration/configuration';
 import type { Publisher } from '../gateway/link';
+import { withStampDelay } from '../gateway/stampDelay';
 import type { AdapterStatus } from '../gateway/status';
 import type { Nanoseconds } from '../times';
 import { JointOutput, type JointOutputOptions } from './jointOutput';
@@ -27,12 +28,19 @@ export interface PlantValue {
   isLost?: boolean;
 }
 
+interface PlantOutputOptions extends JointOutputOptions {
+  /** Age of the values at the time of their stamps; absent if it is 0. */
+  stampDelay?: Nanoseconds;
+}
+
 /** Publishes joint states, poses and signals from a plant's values. */
 export class PlantOutput {
   readonly joints: JointOutput;
   readonly frames: PoseOutput;
   readonly signals: SignalOutput;
   readonly repeater: SampleRepeater;
+  /** Publishes joint states, transforms and signals with the time at which their values were measured. */
+  readonly stamped: Publisher;
   /** Index of the first value of a frame, and of the first value of a signal. */
   readonly #firstOfFrames: number;
   readonly #firstOfSignals: number;
@@ -40,7 +48,7 @@ export class PlantOutput {
   /** @param counter Monotonic clock in ms; by default, the clock of this machine. */
   constructor(
     { joints, frames, wholeFrames, signals, values }: Pick<Configuration, 'joints' | 'frames' | 'wholeFrames' | 'signals' | 'values'>,
-    options: JointOutputOptions,
+    options: PlantOutputOptions,
     clock: Pick<OfferedClock, 'now' | 'isSettled'>,
     gateway: Publisher,
     status: AdapterStatus,
@@ -49,9 +57,11 @@ export class PlantOutput {
     this.#firstOfFrames = joints.length;
     this.#firstOfSignals = values.length - signals.length;
     const labels = values.map(({ label }) => label);
-    this.joints = new JointOutput(joints, options, clock, gateway, status, counter);
-    this.frames = new PoseOutput(frames, wholeFrames, labels, options, clock, gateway, status, counter);
-    this.signals = new SignalOutput(signals, this.#firstOfSignals, clock, gateway, status, counter);
+    this.stamped = withStampDelay(gateway, options.stampDelay ?? 0n);
+    this.joints = new JointOutput(joints, options, clock, this.stamped, status, counter);
+    this.frames = new PoseOutput(frames, wholeFrames, labels, options, clock, this.stamped, status, counter);
+    this.signals = new SignalOutput(signals, this.#firstOfSignals, clock, this.stamped, status, counter);
+    // Repeats messages as they were published.
     this.repeater = new SampleRepeater(status, gateway, () => this.joints.silence.unconfirmedMs !== null, counter);
     for (const { joint } of joints) status.joints.expect(joint);
   }

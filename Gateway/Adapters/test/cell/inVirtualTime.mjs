@@ -9,7 +9,7 @@ export const MS = 1_000_000n, S = 1000n * MS, T = 1_700_000_000n * S;
  * Creates an output in virtual time. `values` are the labels of all values; `time.ms` is the time since the start on all clocks, and
  * `time.setBackMs` the step back of the control clock.
  */
-export function cell({ joints = [], frames = [], wholeFrames = [], signals = [], values }) {
+export function cell({ joints = [], frames = [], wholeFrames = [], signals = [], values }, options = {}) {
   const sent = [], kept = [], keys = new Set(), time = { ms: 0, setBackMs: 0 };
   const status = new AdapterStatus('opcua', new Log('plant/test', [], () => {}, () => {}));
   const clock = { get now() { return T + BigInt(time.ms - time.setBackMs) * MS; }, isSettled: true };
@@ -22,7 +22,7 @@ export function cell({ joints = [], frames = [], wholeFrames = [], signals = [],
     },
     forgetKept: key => keys.delete(key),
   };
-  const output = new PlantOutput({ joints, frames, wholeFrames, signals, values: values.map(label => ({ label })) }, { tolerance: MS / 2n, oldest: 10n * S },
+  const output = new PlantOutput({ joints, frames, wholeFrames, signals, values: values.map(label => ({ label })) }, { tolerance: MS / 2n, oldest: 10n * S, ...options },
     clock, gateway, status, () => time.ms);
   status.enter('connected');
   return {

@@ -25,6 +25,24 @@ describe('ros', { concurrency: 4 }, () => {
       assert.deepEqual([name, position, velocity], [['shoulder', 'elbow'], [0.25, -1.5], [0.5, null]]);
     });
 
+  it('Adapter_StampDelay_IsSubtractedFromTheTimeStampsOfJointsFramesAndSignals', async t => {
+    const rest = 'frames: [{ frame: part }, { frame: table }]\nsignals: [{ signal: force, topic: /force, type: geometry_msgs/WrenchStamped, field: wrench.force.z }]\n';
+    const { robot, bridge } = await cell(t, {}, { plant: '  stamp_delay_ms: 100\n', rest }), stamp = robot.now(), header = { stamp: robot.time(stamp), frame_id: 'world' };
+    await until(() => robot.isHeardBy('/force'), 'the subscription');
+    const transforms = frame => [{ header, child_frame_id: frame, transform: { translation: { x: 1, y: 0, z: 0 }, rotation: { x: 0, y: 0, z: 0, w: 1 } } }];
+
+    robot.jointState(stamp, ['shoulder'], [0.25]);
+    robot.publish('/tf', { transforms: transforms('part') });
+    robot.publish('/tf_static', { transforms: transforms('table') });
+    robot.publish('/force', { header, wrench: { force: { z: 4 } } });
+
+    const all = await until(() => {
+      const [[joints], [tf], [fixed], [signals]] = ['/joint_states', '/tf', '/tf_static', '/signals'].map(topic => bridge.published(topic));
+      return joints && tf && fixed && signals && [joints.header, tf.transforms[0].header, signals.header, fixed.transforms[0].header];
+    }, () => JSON.stringify(bridge.state));
+    assert.deepEqual(all.map(({ stamp: each }) => nanoseconds(each)), [...Array(3).fill(stamp - 100_000_000n), 0n]);
+  });
+
   it('Adapter_Description_IsForwardedAndKept', async t => {
     const urdf = '<robot name="r"/>';
     const { robot, bridge } = await cell(t, { ros: 1 });
