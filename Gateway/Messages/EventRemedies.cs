@@ -42,7 +42,8 @@ static class EventRemedies
     public const string Description = "Correct it at its source; headsets cannot show the robot with it.";
 
     public static string Limits(string unit, string other) =>
-        $"Check that the description belongs to this robot and contains its limits, and that the source sends {unit}, not {other}.";
+        $"Check that the description belongs to this robot and contains its limits, and that the source sends {unit}; if it sends {other}, "
+        + $"set unit: {other} in the file of the plant.";
 
     public const string RecordAgain = "Start the recording again to write a new file.";
     public const string Recording = "Correct this, then start the recording again.";

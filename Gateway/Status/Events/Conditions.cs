@@ -269,7 +269,7 @@ sealed class Conditions(
     {
         var (name, found) = one;
         var (joint, allowed) = (found.Joint, found.Joint.Limits);
-        var (unit, other) = joint.Kind == JointKind.Prismatic ? ("m", "mm") : ("rad", "degrees");
+        var (unit, other) = joint.Kind == JointKind.Prismatic ? ("m", "mm") : ("rad", "deg");
         return new Condition(
             "limit", name, EventTexts.IsExceeded, EventTexts.BeyondLimits(found.Position, unit, allowed.Lower, allowed.Upper), Level.Warning)
         {

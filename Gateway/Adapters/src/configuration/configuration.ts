@@ -132,7 +132,10 @@ export function readConfiguration(
   const namespaces = hasEntry(name, 'robots') ? Object.keys(content.robots ?? {}) : null;
   for (const [robot, urdf] of Object.entries({ ...configuration.robots, '': configuration.robot }))
     requireJoints(file, joints, robot, urdf, namespaces);
-  joints.forEach(({ offset, isLinear }, i) => {
+  (content.joints ?? []).forEach(({ unit, scale }: EntryOf<'joints'>, i) => {
+    const { offset, isLinear } = joints[i];
+    // With only a factor, the value may have any unit.
+    if (unit !== undefined || scale === undefined) values[i].unit = unit ?? (isLinear === true ? 'm' : 'rad');
     if (isLinear !== true && Math.abs(offset) > MAX_OFFSET)
       file.warn(['joints', i, 'offset'], configurationMessages.offsetBeyondATurn(offset, offset * UNITS.deg));
   });

@@ -84,17 +84,17 @@ export function framesOf(file: YamlFile, kind: Kind, entries: FrameEntry[], sile
     }
     paths.push(path);
     const { topic, type } = entry;
-    const component = (at: Path, label: string, found: NumberEntry): Component =>
+    const component = (at: Path, label: string, found: NumberEntry, numberUnit?: string): Component =>
       typeof found === 'number'
         ? { constant: found }
-        : read(file, kind, { label: `${entry.frame} ${label}`, path: at, address: found }, { topic, type }, values);
+        : read(file, kind, { label: `${entry.frame} ${label}`, path: at, address: found, unit: numberUnit }, { topic, type }, values);
     const { x, y, z, unit } = entry.position;
     const frame: Frame = {
       ...settings,
       ...parentOf(entry, (label, found) => component([...path, 'parent'], label, found)),
-      position: Object.entries({ x, y, z }).map(([name, found]) => component([...path, 'position', name], name, found)),
+      position: Object.entries({ x, y, z }).map(([name, found]) => component([...path, 'position', name], name, found, unit)),
       scale: LENGTHS[unit],
-      rotation: rotationOf(entry, (at, label, found) => component([...path, ...at], label, found)),
+      rotation: rotationOf(entry, (at, ...number) => component([...path, ...at], ...number)),
     };
     warnOfSelector(file, kind, frame, values, [...path, 'parent']);
     return [frame];
@@ -120,13 +120,13 @@ function parentOf({ parent = WORLD }: FrameEntry, component: (label: string, fou
 
 function rotationOf(
   { quaternion, angles, rotation_vector: vector }: FrameEntry,
-  component: (at: Path, label: string, found: NumberEntry) => Component,
+  component: (at: Path, label: string, found: NumberEntry, unit?: string) => Component,
 ): RotationSource | null {
-  const parts = (key: string, numbers: Record<string, NumberEntry>): Component[] =>
-    Object.entries(numbers).map(([name, found]) => component([key, name], `${key.replace('_', ' ')} ${name}`, found));
+  const parts = (key: string, numbers: Record<string, NumberEntry>, unit?: string): Component[] =>
+    Object.entries(numbers).map(([name, found]) => component([key, name], `${key.replace('_', ' ')} ${name}`, found, unit));
   if (vector !== undefined) {
     const { x, y, z, unit } = vector;
-    return { kind: 'vector', parts: parts('rotation_vector', { x, y, z }), scale: ANGLES[unit] };
+    return { kind: 'vector', parts: parts('rotation_vector', { x, y, z }, unit), scale: ANGLES[unit] };
   }
   if (quaternion !== undefined) {
     const { x, y, z, w } = quaternion;
@@ -135,7 +135,7 @@ function rotationOf(
   if (angles === undefined) return null;
   return {
     kind: 'angles',
-    parts: angles.values.map((found, i) => component(['angles', 'values', i], `angle ${angles.order[i]}`, found)),
+    parts: angles.values.map((found, i) => component(['angles', 'values', i], `angle ${angles.order[i]}`, found, angles.unit)),
     order: angles.order,
     isFixed: angles.axes === 'fixed',
     scale: ANGLES[angles.unit],
@@ -146,11 +146,11 @@ function rotationOf(
  * Adds a value to be read. Reports an address that has the form of another kind of plant.
  * @param common The part of the address that all numbers of the frame share.
  */
-function read(file: YamlFile, { address: allowed = [] }: Kind, { label, path, address }: Value, common: Address, values: Value[]): Component {
+function read(file: YamlFile, { address: allowed = [] }: Kind, { label, path, address, unit }: Value, common: Address, values: Value[]): Component {
   for (const key of Object.keys(address))
     if (!allowed.includes(key as keyof Address)) file.report([...path, key], configurationMessages.unknownEntry(undefined, allowed));
   if (address[allowed[0]] === undefined) file.report([...path, allowed[0]], frameMessages.noAddress(allowed[0]));
-  values.push({ label, path, address: addressIn({ ...common, ...address }) });
+  values.push({ label, path, address: addressIn({ ...common, ...address }), unit });
   return { value: values.length - 1 };
 }
 

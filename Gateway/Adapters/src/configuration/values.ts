@@ -7,6 +7,8 @@ export interface Value {
   /** Path of its entry in the configuration. */
   path: Path;
   address: Address;
+  /** The unit in which the number is read, such as deg; absent if it has none, or if only a factor is known. */
+  unit?: string;
 }
 
 /**

@@ -93,6 +93,9 @@ export const nodeMessages = {
   notArray: (node: string) => `${node} is not an array; remove index`,
   index: (node: string, count: number) =>
     count === 0 ? `${node} is an array without elements` : `${node} has ${count} elements; allowed: an index from 0 to ${count - 1}`,
+  /** @param stated Unit that the server states. */
+  otherUnit: (stated: string, unit: string, nodes: string[]) =>
+    `the server states the unit ${stated} for values that are read in ${unit}; set unit: ${stated} for ${nodes.join(', ')}`,
   notTime: 'the value is not a time; use a DateTime, or a 64-bit whole number or an LREAL with a unit',
   noTimeOfCycle: (node: string, groupMs: string) =>
     `no value of ${node} has a time stamp within ${groupMs} ms (group_ms) of the time stamp of this value; `

@@ -5,6 +5,7 @@ import { Backoff, pause } from '../backoff';
 import { delayOf, silentAfterMs, STAMP_LAG_MS, unconfirmedAfterMs } from '../samples/silentValues';
 import { type Nanoseconds, ofMilliseconds } from '../times';
 import { clockOf } from './clockReader';
+import { unitNotice } from './engineeringUnits';
 import { byNumber, isByUri, NAMESPACES, NO_NODE } from './nodeIds';
 import { reasonNotMonitored } from './nodeValues';
 import { NotificationReader } from './notificationReader';
@@ -111,6 +112,12 @@ async function attempt(
     status.detail('publishing_ms', monitoring.publishingMs);
     isConnected = true;
     status.enter('connected');
+    // Does not wait, because a server may not answer this request.
+    const ids = new Map(reader.valueNodes.map((node, i) => [node, nodes[i]]));
+    void unitNotice(session, context.configuration.values, ids).then(
+      text => status.notice(text, 'engineering units'),
+      () => {},
+    );
     const lag = ofMilliseconds(STAMP_LAG_MS + monitoring.samplingMs);
     const look = async (time: Nanoseconds | null): Promise<void> => {
       if (lost.size > 0 && String((await idsOf(session, context, reader)).ids) !== String(nodes)) throw new Error(nodeMessages.otherNamespaces);

@@ -7,6 +7,7 @@ import {
   DataChangeFilter,
   DataChangeTrigger,
   type DataValue,
+  makeBrowsePath,
   MessageSecurityMode,
   OPCUAClient,
   SecurityPolicy,
@@ -37,6 +38,7 @@ const ALLOWED = new Set([
   'ActivateSessionRequest',
   'CloseSessionRequest',
   'ReadRequest',
+  'TranslateBrowsePathsToNodeIdsRequest',
   'CreateSubscriptionRequest',
   'DeleteSubscriptionsRequest',
   'CreateMonitoredItemsRequest',
@@ -149,6 +151,16 @@ export class ReadOnlySession {
         0,
       ),
     );
+  }
+
+  /** Reads a property of nodes; null for a node that does not have it. */
+  async properties(nodes: string[], name: string): Promise<(DataValue | null)[]> {
+    const session = this.#session;
+    if (session === null) throw new Error(opcuaMessages.notConnected);
+    const found = await this.#reads.each(nodes, part => session.translateBrowsePath(part.map(node => makeBrowsePath(node, `.${name}`))));
+    const ids = found.map(({ targets }) => targets?.[0]?.targetId.toString() ?? null);
+    const values = await this.readAll(ids.filter(id => id !== null));
+    return ids.map(id => (id === null ? null : values.shift()!));
   }
 
   /**

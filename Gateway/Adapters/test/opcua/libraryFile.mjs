@@ -9,9 +9,10 @@ const adapters = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
 
 // The names that the tests and the tested modules import.
 const contents = `
-export { AttributeIds, crypto_utils, DataChangeFilter, DataChangeTrigger, DataType, DataValue, MessageSecurityMode, OPCUAClient, SecurityPolicy,
-  setWarningLogger, StatusCodes, TimestampsToReturn, UserTokenType, Variant, VariantArrayType } from 'node-opcua-client';
+export { AttributeIds, crypto_utils, DataChangeFilter, DataChangeTrigger, DataType, DataValue, makeBrowsePath, MessageSecurityMode, OPCUAClient,
+  SecurityPolicy, setWarningLogger, StatusCodes, TimestampsToReturn, UserTokenType, Variant, VariantArrayType } from 'node-opcua-client';
 export { setDebugLogger, setErrorLogger } from 'node-opcua-debug';
+export { EUInformation } from 'node-opcua-types';
 export { MonitoredItem, OPCUAServer, Subscription } from 'node-opcua-server';
 `;
 

@@ -13,7 +13,7 @@ const { nodeMessages, summaryMessages } = messages;
 const HOUR_MS = 3_600_000;
 const READS = ['GetEndpointsRequest', 'CreateSessionRequest', 'ActivateSessionRequest', 'CloseSessionRequest', 'ReadRequest',
   'CreateSubscriptionRequest', 'DeleteSubscriptionsRequest', 'CreateMonitoredItemsRequest', 'DeleteMonitoredItemsRequest', 'PublishRequest',
-  'OpenSecureChannelRequest', 'CloseSecureChannelRequest'];
+  'OpenSecureChannelRequest', 'CloseSecureChannelRequest', 'TranslateBrowsePathsToNodeIdsRequest'];
 
 /** Configured joint, index of the true value, and the tolerance of the data type in which the server sends the value. */
 const ALL = [

@@ -2,7 +2,7 @@
 // system, whose clock has an offset and a skew.
 import { isDeepStrictEqual } from 'node:util';
 import {
-  AttributeIds, DataType, DataValue, MessageSecurityMode, MonitoredItem, nodeset, OPCUAServer, SecurityPolicy, setWarningLogger,
+  AttributeIds, DataType, DataValue, EUInformation, MessageSecurityMode, MonitoredItem, nodeset, OPCUAServer, SecurityPolicy, setWarningLogger,
   StatusCodes, Subscription, Variant, VariantArrayType,
 } from './library.mjs';
 import { angle, arm, opening } from '../ads/youbot.mjs';
@@ -69,6 +69,9 @@ const VARIABLES = [
   ['time_real', DataType.Float, (_, t) => Number(t) / 1e9],
 ];
 
+/** Properties EngineeringUnits of variables. The second one has no code. */
+const UNITS = { axis_1_deg: { unitId: 17476, displayName: '°' }, gripper_mm: { unitId: -1, displayName: 'mm' } };
+
 export class YoubotServer {
   /** Number of received requests by their names. */
   asked = new Map();
@@ -131,7 +134,7 @@ export class YoubotServer {
     this.#server.on('request', request => {
       const name = request.schema.name;
       this.asked.set(name, (this.asked.get(name) ?? 0) + 1);
-      if (name === 'ReadRequest' && request.nodesToRead.some(({ nodeId }) => nodeId.namespace === 1)) this.valueReads++;
+      if (name === 'ReadRequest' && request.nodesToRead.some(({ nodeId: { namespace, value } }) => namespace === 1 && !value.endsWith?.('.EngineeringUnits'))) this.valueReads++;
       const atLeast = ms => Math.max(ms, this.minimumMs);
       if (name === 'CreateSubscriptionRequest') request.requestedPublishingInterval = atLeast(request.requestedPublishingInterval);
       if (name === 'CreateMonitoredItemsRequest')
@@ -183,11 +186,22 @@ export class YoubotServer {
   }
 
   #add([name, dataType, value, arrayType = VariantArrayType.Scalar]) {
-    this.#device.namespace.addVariable({
+    const { namespace } = this.#device;
+    const variable = namespace.addVariable({
       componentOf: this.#device, browseName: name, nodeId: `s=${name}`, dataType, valueRank: arrayType === VariantArrayType.Array ? 1 : -1,
       minimumSamplingInterval: 1,
       value: { timestamped_get: () => this.#value(name, dataType, value, arrayType) },
     });
+    if (name in UNITS) this.#addUnits(variable, name);
+  }
+
+  /** Adds the property EngineeringUnits. Its read function is replaced, because the small set of nodes has no type for its value. */
+  #addUnits(variable, name) {
+    const property = this.#device.namespace.addVariable({
+      propertyOf: variable, browseName: { name: 'EngineeringUnits', namespaceIndex: 0 }, nodeId: `s=${name}.EngineeringUnits`, dataType: 'BaseDataType',
+    });
+    const read = property.readAttribute, value = new Variant({ dataType: DataType.ExtensionObject, value: new EUInformation(UNITS[name]) });
+    property.readAttribute = (context, attribute, ...rest) => attribute === AttributeIds.Value ? new DataValue({ value }) : read.call(property, context, attribute, ...rest);
   }
 
   #value(name, dataType, value, arrayType, cycle = this.cycle) {

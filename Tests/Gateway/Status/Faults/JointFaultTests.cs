@@ -222,7 +222,7 @@ public class JointFaultTests
         var limits = RobotFiles.Load("youbot").MovingJoints.Single(joint => joint.Name == "arm_joint_3").Limits;
         Assert.That(one.GetProperty("text").GetString(), Is.EqualTo(
             $"{EventTexts.JointBeyondLimits("arm_joint_3")}: {EventTexts.BeyondLimits(200, "rad", limits.Lower, limits.Upper)}. "
-                + EventRemedies.Limits("rad", "degrees")));
+                + EventRemedies.Limits("rad", "deg")));
 
         // Afterwards the position is not known, and the joint itself has an event.
         _gateway.Time.Advance(JointBoard.StaleAfter);
