@@ -6,7 +6,6 @@ import { type Nanoseconds, ofFileTime } from '../times';
 import { timeOf } from './decoding';
 import type { ReadOnlyClient } from './readOnlyClient';
 import { adsMessages } from '../messages/ads';
-import { clockMessages } from '../messages/gateway';
 
 const PROBES = 64;
 const PROBE_EVERY_MS = 1;
@@ -102,7 +101,7 @@ export class VariableTime implements PlcTime {
   async #value(): Promise<Nanoseconds> {
     const { indexGroup, indexOffset, size, name } = this.symbol;
     const time = timeOf(this.symbol, this.unit, await this.client.readRaw(indexGroup, indexOffset, size));
-    if (time === null) throw new Error(clockMessages.noTime(name));
+    if (time === null) throw new Error(adsMessages.noTime(name));
     return time;
   }
 

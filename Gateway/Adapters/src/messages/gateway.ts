@@ -37,7 +37,6 @@ export const clockMessages = {
   coarse: (steps: string) =>
     `${steps}, which is too coarse for headsets; the steps must be below 50 ms: use another time variable, or set the clock to smaller steps`,
   fineAgain: "the resolution of the plant's clock is sufficient again",
-  noTime: (node: string) => `${node} does not contain a valid time`,
   notReadable: (reason: string) => `the plant's clock cannot be read: ${reason}`,
 };
 

@@ -76,6 +76,9 @@ export const opcuaRefusalMessages = {
   noFreeSession: 'the server has no free session or connection; close a connection of another client',
 };
 
+const TIMES =
+  'set plant.time to a variable of type DateTime, Int64, UInt64 or Double; 32 bits are too few, because a whole number would wrap and a REAL is too coarse';
+
 /** Reasons why a node cannot be read, or its value cannot be used. */
 export const nodeMessages = {
   noNamespace: (place: string, node: string) => `${place}: value ${node}; the server has no such namespace`,
@@ -96,7 +99,8 @@ export const nodeMessages = {
   /** @param stated Unit that the server states. */
   otherUnit: (stated: string, unit: string, nodes: string[]) =>
     `the server states the unit ${stated} for values that are read in ${unit}; set unit: ${stated} for ${nodes.join(', ')}`,
-  notTime: 'the value is not a time; use a DateTime, or a 64-bit whole number or an LREAL with a unit',
+  notTime: `the value is not a time; ${TIMES}`,
+  noTime: (node: string) => `${node} does not contain a valid time; ${TIMES}`,
   noTimeOfCycle: (node: string, groupMs: string) =>
     `no value of ${node} has a time stamp within ${groupMs} ms (group_ms) of the time stamp of this value; `
     + 'if the server stamps the variables of a cycle one by one, increase group_ms',

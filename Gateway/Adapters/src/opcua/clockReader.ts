@@ -5,7 +5,6 @@ import { isGood } from './nodeValues';
 import type { ReadOnlySession } from './readOnlySession';
 import type { OpcUaSettings } from './kind';
 import { ofDate, timeIn } from './stamps';
-import { clockMessages } from '../messages/gateway';
 import { nodeMessages, opcuaMessages } from '../messages/opcua';
 
 /** Node id of Server_ServerStatus_CurrentTime, which every OPC UA server has. */
@@ -30,7 +29,7 @@ export async function clockOf(session: ReadOnlySession, settings: OpcUaSettings,
     const value = await session.read(node);
     if (!isGood(value.statusCode)) throw new Error(nodeMessages.notReadable(node, value.statusCode.name));
     const time = timeIn(value.value, settings.time?.unit ?? null);
-    if (time === null) throw new Error(clockMessages.noTime(node));
+    if (time === null) throw new Error(nodeMessages.noTime(node));
     return { received: time, sent: time };
   };
   if (node !== CURRENT_TIME || !(await stands(session, ofNode))) return ofNode;

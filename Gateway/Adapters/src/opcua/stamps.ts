@@ -39,7 +39,7 @@ export function numberIn(variant: Variant): unknown {
 
 /**
  * Gets the time in a variable of the control system; null if there is none. A DateTime needs no unit. The default unit is ns for whole numbers and
- * s for an LREAL, counted since 1970. Refuses a REAL, whose resolution is two minutes for current dates, and 32-bit seconds.
+ * s for an LREAL, counted since 1970. Refuses a REAL, whose resolution is two minutes for current dates, and whole numbers of 32 bits, which wrap.
  */
 export function timeIn(variant: Variant, unit: TimeUnit | null): Nanoseconds | null {
   if (variant.dataType === DataType.DateTime) {

@@ -7,7 +7,7 @@ import { adapterFor, OPEN, serverFor } from './plant.mjs';
 import { ControlClock } from './server.mjs';
 import { like, messages } from '../messages.mjs';
 
-const { opcuaMessages } = messages;
+const { nodeMessages, opcuaMessages } = messages;
 
 const HOUR_MS = 3_600_000;
 const MS = 1_000_000n;
@@ -39,6 +39,18 @@ describe('clock with a resolution of milliseconds', () => {
     const { values } = await bridge.call('/nowpose/plant_time/cell');
 
     assert.equal(values.resolution_ns, 1_000_000);
+  });
+});
+
+describe('time variable of another type', () => {
+  it('Time_NumberOf32Bits_IsWaitedForWithTheAllowedTypes', async t => {
+    const server = await serverFor(t, {});
+    const { state } = await adapterFor(t, server, [...OPEN, 'time: { node: ns=1;s=time_real, unit: s }'], [JOINT]);
+
+    const { reason } = await state(({ state: each }) => each === 'waiting');
+
+    assert.equal(reason, nodeMessages.noTime('ns=1;s=time_real'));
+    for (const type of ['DateTime', 'Int64', 'UInt64', 'Double']) assert.match(reason, new RegExp(`\\b${type}\\b`));
   });
 });
 
