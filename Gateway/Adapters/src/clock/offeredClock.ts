@@ -68,7 +68,7 @@ export class OfferedClock {
   /**
    * @param fixedResolution The configured resolution; null to measure it.
    * @param counter Monotonic clock of this machine, ns.
-   * @param coarse Called after each reading with the resolution if it is too coarse for the synchronisation, and with null otherwise.
+   * @param coarse Called after each reading with the observed resolution if it is too coarse for the synchronisation, and with null otherwise.
    */
   constructor(
     readonly gateway: Pick<GatewayLink, 'offer' | 'call'>,
@@ -153,9 +153,9 @@ export class OfferedClock {
         .finally(() => {
           this.#measuring = null;
         });
-    const resolution = reading.resolution ?? this.resolution;
-    this.coarse(resolution >= COARSE ? resolution : null);
-    return { ...reading, resolution };
+    const observed = reading.resolution ?? this.fixedResolution ?? this.#resolution.observed;
+    this.coarse(observed >= COARSE ? observed : null);
+    return { ...reading, resolution: reading.resolution ?? this.resolution };
   }
 
   #offer(): void {

@@ -38,9 +38,12 @@ export class Resolution {
 
   /** The resolution, ns; zero while unknown. */
   get value(): Nanoseconds {
-    if (!this.isKnown) return 0n;
-    const now = this.isStopped ? 0n : this.#standing;
-    return [this.#stood, this.#stoodBefore, now].reduce(max, this.#step);
+    return this.isKnown && !this.isStopped ? max(this.observed, this.#standing) : this.observed;
+  }
+
+  /** The resolution without the present standstill, which may be a pause, ns; zero while unknown. */
+  get observed(): Nanoseconds {
+    return this.isKnown ? [this.#stood, this.#stoodBefore].reduce(max, this.#step) : 0n;
   }
 
   /**
