@@ -2,7 +2,7 @@ import type { OfferedClock } from '../clock/offeredClock';
 import type { EntryOf } from '../configuration/plantFile';
 import type { Publisher } from '../gateway/link';
 import type { AdapterStatus } from '../gateway/status';
-import { numberIn } from '../samples/number';
+import { bitIn, numberIn } from '../samples/number';
 import type { PlantValue } from '../samples/plantOutput';
 import { SampleSilence } from '../samples/sampleSilence';
 import { type Refusal, StampRule } from '../samples/stampRule';
@@ -103,11 +103,12 @@ export class SignalOutput {
 
   #take({ index, value, stamp, isFirst, refusal, isLost }: PlantValue): void {
     if (refusal !== undefined && isLost === true) return this.lose(index, refusal);
-    const number = refusal ?? numberIn(typeof value === 'boolean' ? Number(value) : value);
-    if (typeof number !== 'number') return this.refuse(index, number);
     const i = index - this.offset;
+    const { signal: name, bit } = this.signals[i];
+    const raw = typeof value === 'boolean' ? Number(value) : value;
+    const number = refusal ?? (bit === undefined ? numberIn(raw) : bitIn(raw, bit));
+    if (typeof number !== 'number') return this.refuse(index, number);
     const { now } = this.clock;
-    const name = this.signals[i].signal;
     if (this.#outdated.has(i) || this.sender.valueOf(name) !== number) {
       // Uses the current time for a first value without a stamp, because the signal certainly has the value at this time.
       const at = stamp === null && isFirst === true ? now : stamp;

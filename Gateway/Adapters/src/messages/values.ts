@@ -19,6 +19,7 @@ export const refusalMessages = {
     `the time stamp is ${day ?? 'beyond the year 275760'}, more than a day away from the control clock; check the unit of the time and the clock that stamps the value`,
   noField: (topic: string, field: string) => `the message on ${topic} has no field ${field}`,
   notNumber: (value: unknown) => `value ${shown(value)} is not a number; use a numeric variable`,
+  noBits: (number: number) => `value ${number} has no bits; use a variable with a whole number, or remove bit`,
   noPosition: 'the source publishes no position for this joint; if the joint has none, list only the joints that are needed under joints',
   notPosition: (text: string) => `value ${text} is not a finite number`,
   scaledNotPosition: (number: number, scale: number) => `value ${number} multiplied by the scale ${scale} is not a finite number`,

@@ -108,21 +108,20 @@ export class Recipe {
     return bit !== undefined && bit >= 8 * size ? fieldMessages.bit(field!, 8 * size) : null;
   }
 
-  /** Gets the number at a valid address in a valid data package. */
-  read(payload: Buffer, { field, index = 0, bit }: Address): number {
+  /** Gets the number at a valid address in a valid data package, with all bits. */
+  read(payload: Buffer, { field, index = 0 }: Address): number | bigint {
     const { at, type } = this.#fields.get(field!)!;
     const { size, read } = elementsOf(type);
-    const value = read(payload, at + index * size);
-    return Number(bit === undefined ? value : (BigInt(value) >> BigInt(bit)) & 1n);
+    return read(payload, at + index * size);
   }
 
   /** Decodes a data package; returns a description of the error if it is invalid. */
   decode(payload: Buffer): Cycle | string {
     if (payload.length !== this.size) return fieldMessages.packageSize(payload.length, this.size);
     if (payload[0] !== this.#id) return fieldMessages.packageRecipe(payload[0], this.#id);
-    const number = (name: string): number | null => (this.#fields.has(name) ? this.read(payload, { field: name }) : null);
+    const number = (name: string): number | null => (this.#fields.has(name) ? Number(this.read(payload, { field: name })) : null);
     const vector = (name: string): number[] | null =>
-      this.#fields.has(name) ? Array.from({ length: 6 }, (_, index) => this.read(payload, { field: name, index })) : null;
+      this.#fields.has(name) ? Array.from({ length: 6 }, (_, index) => Number(this.read(payload, { field: name, index }))) : null;
     const timestamp = number('timestamp')!;
     if (!Number.isFinite(timestamp) || timestamp < 0 || timestamp > MAX_S) return fieldMessages.packageTime(timestamp);
     const [actual, target] = [vector('actual_q'), vector('target_q')];

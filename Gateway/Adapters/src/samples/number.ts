@@ -7,3 +7,11 @@ export function numberIn(value: unknown): number | Refusal {
   if (typeof number !== 'number') return { reason: 'type', text: refusalMessages.notNumber(value) };
   return Number.isFinite(number) ? number : { reason: 'not-finite', text: refusalMessages.notPosition(String(number)) };
 }
+
+/** Gets a bit of a whole number, 0 or 1. Bit 0 is the least significant one. */
+export function bitIn(value: unknown, bit: number): number | Refusal {
+  const number = numberIn(value);
+  if (typeof number !== 'number') return number;
+  if (typeof value !== 'bigint' && !Number.isSafeInteger(number)) return { reason: 'type', text: refusalMessages.noBits(number) };
+  return Number((BigInt(value as number | bigint) >> BigInt(bit)) & 1n);
+}

@@ -17,6 +17,27 @@ describe('signals', () => {
     assert.deepEqual(['closed', 'speed'].map(name => stateOf(`signal/${name}`)), ['live', 'live']);
   });
 
+  // Words may be signed, and a 64-bit number is a bigint.
+  for (const [value, bits] of [[0b1010, [0, 1, 0, 0]], [-2, [0, 1, 1, 1]], [-32768, [0, 0, 0, 1]], [2n ** 63n + 2n, [0, 1, 0, 0]], [true, [1, 0, 0, 0]]])
+    it(`Bits_Of${value}_AreZeroOrOne`, () => {
+      const places = [0, 1, 14, 31], names = places.map(String);
+      const { take, changes } = cell({ signals: places.map(bit => ({ signal: `${bit}`, bit })), values: names });
+
+      take(Object.fromEntries(names.map((_, i) => [i, value])));
+
+      assert.deepEqual(changes().map(([name, one]) => [name, one]), names.map((name, i) => [name, bits[i]]));
+    });
+
+  for (const value of [1.5, 2 ** 60, 'on'])
+    it(`Bit_Of${value}_IsRefused`, () => {
+      const { take, changes, status } = cell({ signals: [{ signal: 'closed', bit: 0 }], values: ['closed'] });
+
+      take({ 0: value });
+
+      const text = typeof value === 'number' ? refusalMessages.noBits(value) : refusalMessages.notNumber(value);
+      assert.deepEqual([changes(), status.signals.reasonOf('closed'), status.refusals('type')], [[], text, 1]);
+    });
+
   it('Signals_256WithLongNamesAndOneTimeStamp_AreSentInMessagesOfUpTo64KiB', () => {
     const names = Array.from({ length: 256 }, (_, i) => `${i}`.padEnd(128, '\u001f')), indices = Object.keys(names);
     const { take, changes, sent, clock, output } = cell({ signals: names.map(signal => ({ signal })), values: names });

@@ -117,10 +117,10 @@ describe('rtde layout', () => {
 
     assert.equal(typeof mixed.decode(payload), 'object');
     assert.deepEqual(
-      [{ field: 'flag' }, { field: 'byte' }, { field: 'byte', bit: 5 }, { field: 'byte', bit: 1 }, { field: 'bits', bit: 31 }, { field: 'voltage' },
+      [{ field: 'flag' }, { field: 'byte' }, { field: 'byte', bit: 5 }, { field: 'bits', bit: 31 }, { field: 'voltage' },
         { field: 'load' }, { field: 'force', index: 5 }, { field: 'modes', index: 1 }, { field: 'counts', index: 5 }, { field: 'elbow', index: 2 },
-        { field: 'wide', bit: 63 }, { field: 'wide', bit: 17 }, { field: 'wide', bit: 16 }].map(read),
-      [1, 0xa5, 1, 0, 1, -24, 1.5, 6, -2, 0xffffffff, 9, 1, 1, 0]);
+        { field: 'wide', bit: 63 }].map(read),
+      [1, 0xa5, 0xa5, 0x80000002, -24, 1.5, 6, -2, 0xffffffff, 9, 0x8000000000020001n]);
     for (const [address, text] of [
       [{ field: 'none' }, fieldMessages.unknown('none')], [{ field: 'force' }, fieldMessages.index('force', 6)],
       [{ field: 'elbow', index: 3 }, fieldMessages.index('elbow', 3)],
