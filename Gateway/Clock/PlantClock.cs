@@ -19,6 +19,7 @@ public sealed class PlantClock
     internal const int MaxFailureLength = 200;
 
     readonly IHeadsetClock _counter;
+    readonly ClockRate _rate = new();
     readonly object _gate = new();
     volatile ClockSynchroniser _synchroniser;
     ImmutableArray<PlantClock> _others = [];
@@ -53,8 +54,21 @@ public sealed class PlantClock
     /// <summary>The reason for the newest failure; null if there is none.</summary>
     public string LastFailure => _lastFailure;
 
-    /// <summary>The current estimate. Φ is this machine's counter minus this clock.</summary>
-    public ClockModel Model => _synchroniser.ModelAt(_counter.Now);
+    /// <summary>The current estimate. Φ is this machine's counter minus this clock. While the rate is wrong, the state is converging.</summary>
+    public ClockModel Model
+    {
+        get
+        {
+            var now = _counter.Now;
+            var model = _synchroniser.ModelAt(now);
+            return !model.IsKnown || _rate.WrongAt(now) == null ? model : new ClockModel(
+                model.Reference, model.ReferenceOffset, model.Skew, model.ErrorBound, ClockState.Converging, model.Steps, model.EstimatedError);
+        }
+    }
+
+    /// <summary>Rate of this clock relative to this machine's counter if it is not that of a real clock, for example 0.5; null otherwise.</summary>
+    public double? WrongRate => _rate.WrongAt(_counter.Now);
+
 
     public TimeSpan RoundTripTime => _synchroniser.RoundTripTime;
     public TimeSpan Resolution => _synchroniser.Resolution;
@@ -129,7 +143,11 @@ public sealed class PlantClock
     internal void Add(in SyncExchange exchange)
     {
         _synchroniser.Add(exchange, out var fault);
-        if (fault == SyncExchangeFault.None) Interlocked.Increment(ref _exchanges);
+        if (fault == SyncExchangeFault.None)
+        {
+            _rate.Add(exchange);
+            Interlocked.Increment(ref _exchanges);
+        }
         else Failed(PlantClockMessages.ExchangeUnusable(fault));
     }
 

@@ -10,6 +10,8 @@ namespace Nowpose.Gateway.Clock;
 /// <param name="Exchanges">Number of usable exchanges since the gateway started.</param>
 /// <param name="Failures">Number of requests without a usable response since the gateway started.</param>
 /// <param name="LastFailure">The reason for the newest failure; null if there is none.</param>
+/// <param name="WrongRate">See <see cref="PlantClock.WrongRate"/>.</param>
 public sealed record PlantClockStatus(
     string Name, bool IsConnected, bool IsControlClock, ClockState State, TimeSpan? OffsetToControl, double? SkewPpm,
-    TimeSpan RoundTripTime, TimeSpan? EstimatedError, TimeSpan ErrorBound, TimeSpan Resolution, long Exchanges, long Failures, string LastFailure);
+    TimeSpan RoundTripTime, TimeSpan? EstimatedError, TimeSpan ErrorBound, TimeSpan Resolution, long Exchanges, long Failures, string LastFailure,
+    double? WrongRate);

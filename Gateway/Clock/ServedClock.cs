@@ -38,6 +38,9 @@ public sealed class ServedClock : IControlClock
     /// <summary>Whether C1 is a plant's clock that no adapter has offered since the gateway started.</summary>
     internal bool IsNotOffered => _plant.Control is { IsConnected: false, Exchanges: 0, Failures: 0 };
 
+    /// <summary>Rate of C1 if it is a plant's clock with a wrong rate; null otherwise.</summary>
+    internal double? WrongRate => _plant.Control?.WrongRate;
+
     /// <summary>The clients that offer a clock under the name of a served one, with another time.</summary>
     internal IEnumerable<ClockContradiction> Contradictions => _plant.All.SelectMany(clock => clock.Contradictions);
 
@@ -96,7 +99,8 @@ public sealed class ServedClock : IControlClock
         var ahead = OffsetToControl(model, now);
         return new PlantClockStatus(
             clock.Name, clock.IsConnected, clock == _plant.Control, model.State, ahead, ahead == null ? null : (-model.Skew - Skew) * 1e6,
-            clock.RoundTripTime, model.IsKnown ? model.EstimatedError : null, model.ErrorBound, clock.Resolution, clock.Exchanges, clock.Failures, clock.LastFailure);
+            clock.RoundTripTime, model.IsKnown ? model.EstimatedError : null, model.ErrorBound, clock.Resolution, clock.Exchanges, clock.Failures, clock.LastFailure,
+            clock.WrongRate);
     }
 
     TimeSpan? OffsetToControl(in ClockModel model, HeadsetTime now)

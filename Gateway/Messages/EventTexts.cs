@@ -1,3 +1,4 @@
+using System.Globalization;
 using Nowpose.Messages;
 
 namespace Nowpose.Gateway.Messages;
@@ -46,6 +47,14 @@ static class EventTexts
     public const string OwnClock = "the gateway's own control clock";
 
     public static string ClockNotServed(string clock) => $"{clock} is not served to headsets";
+
+    public const string RunsAtWrongRate = "does not run in real time";
+
+    /// <param name="rate">Seconds of the clock per second of real time.</param>
+    public static string ClockAtWrongRate(string clock, double rate) => $"the plant's clock {clock} runs at {RateText(rate)} of real time";
+
+    /// <summary>Gets the reason for which no joint is current.</summary>
+    public static string JointsOfWrongRate(string clock, double rate) => $"{ClockAtWrongRate(clock, rate)}. {EventRemedies.ClockRate}";
 
     public const string StampsContradict = "contradicts the stamps of samples";
 
@@ -138,4 +147,8 @@ static class EventTexts
 
     /// <inheritdoc cref="StateNames.UncertainRestReason"/>
     public const string UncertainRestReason = StateNames.UncertainRestReason;
+
+    // Two digits, or enough digits to show the difference from real time.
+    static string RateText(double rate) =>
+        rate.ToString(rate < 0.05 ? "G2" : Math.Abs(rate - 1) < 0.05 ? "0.00##" : "F2", CultureInfo.InvariantCulture);
 }

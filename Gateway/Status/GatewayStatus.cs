@@ -2,6 +2,7 @@ using System.Diagnostics;
 using System.Globalization;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Recording;
 using Nowpose.Gateway.Status.Cell;
@@ -64,7 +65,9 @@ sealed class GatewayStatus : IDisposable
         _drops = drops;
         _connections = [("sync", sync), ("websocket", webSocket)];
         _diagnostics = new DiagnosticsBoard(options.Time);
-        _joints = new JointBoard(options.Time, () => limits.Robots, log);
+        _joints = new JointBoard(
+            options.Time, () => limits.Robots, log,
+            () => clock.WrongRate is { } rate ? EventTexts.JointsOfWrongRate(clock.Source, rate) : null);
         _cellReports = new CellReports(options.Time, log);
         _cell = new CellBoard(options.Time, _cellReports, hub.Links.RootOf, hub.Links.JointsOf);
         _refusals = new RefusalConditions(hub, options.Time);

@@ -35,8 +35,8 @@ sealed class Conditions(
         var reports = diagnostics.Read();
         return
         [
-            .. OfClock().Concat(OfClockNames()).Concat(OfStamps()).Concat(OfSources(joints)).Concat(OfAdapters(reports))
-                .Concat(joints.Where(row => !row.IsGood).Select(Of)).Concat(OfUncertainRests(joints))
+            .. ClockConditions.Of(clock).Concat(OfSources(joints)).Concat(OfAdapters(reports))
+                .Concat(joints.Where(row => !row.IsGood && row.ReasonWord != JointFaultReasons.ClockRate).Select(Of)).Concat(OfUncertainRests(joints))
                 .Concat(OfCell("frame", AdapterReport.FramePrefix)).Concat(OfCell("signal", AdapterReport.SignalPrefix))
                 .Concat(OfFrames(joints)).Concat(OfSignals())
                 .Concat(reports.SelectMany(Of)).Concat(refusals.Read()).Concat(limits.Invalid.Select(OfDescription)).Concat(OfLimits(joints)).Concat(OfRecording())
@@ -124,52 +124,6 @@ sealed class Conditions(
             IsNormalAtStart = isRefused && IsClockAwaited(signal.Reason),
         };
 
-    string ClockName => clock.Source == PlantClocks.Own ? EventTexts.OwnClock : EventTexts.ControlClock(clock.Source);
-
-    IEnumerable<Condition> OfClock()
-    {
-        if (!clock.IsSynchronised)
-            yield return new(
-                "clock", clock.Source, EventTexts.NotServed,
-                clock.IsNotOffered ? EventTexts.ClockNotOffered([.. clock.Status().Where(one => !one.IsControlClock).Select(one => one.Name)])
-                    : EventTexts.ClockState(clock.State.Word()), Level.Error, true)
-            {
-                Headline = EventTexts.ClockNotServed(ClockName),
-                Remedy = clock.Source == PlantClocks.Own ? "" : clock.IsNotOffered ? EventRemedies.ClockName : EventRemedies.ClockAdapter,
-                // Not normal in holdover, which means that the clock was synchronised before.
-                IsNormalAtStart = clock.State is ClockState.Unsynchronised or ClockState.Converging,
-            };
-        var stamps = clock.Stamps;
-        if (stamps.Found is not { } found) yield break;
-        yield return found.IsContradiction
-            ? new("clock", clock.Source, EventTexts.StampsContradict, found.Reason, Level.Error, true)
-            {
-                Headline = EventTexts.StampsContradictClock(ClockName),
-                Remedy = found.Remedy,
-            }
-            : new("clock", clock.Source, EventTexts.NotSystemClock, found.Reason, Level.Warning)
-            {
-                Headline = EventTexts.ClockNotSystemClock(ClockName),
-                Remedy = found.Remedy,
-            };
-    }
-
-    // Does not affect the gateway's readiness, because the stamps of each client are converted with its own times.
-    IEnumerable<Condition> OfClockNames() => clock.Contradictions.Select(
-        one => new Condition(
-            "clock", one.Clock, EventTexts.HasTwoTimes, EventTexts.TimesDiffer(one.Other, one.Client, one.Ahead.TotalMilliseconds), Level.Error)
-        {
-            Headline = EventTexts.ClockWithTwoTimes(one.Clock),
-            Remedy = EventRemedies.ClockNames,
-        });
-
-    IEnumerable<Condition> OfStamps() => clock.Stamps.Ahead.Select(
-        one => new Condition("source", one.Source, EventTexts.Future, EventTexts.FutureBy(one.By), Level.Warning)
-        {
-            Headline = EventTexts.SourceInFuture(one.Source),
-            Remedy = StampMessages.SourceRemedy,
-        });
-
     IEnumerable<Condition> OfSources(IReadOnlyList<JointSnapshot> rows)
     {
         if (!options.ExpectsSources || rows.Count > 0) return [];
@@ -221,7 +175,8 @@ sealed class Conditions(
             yield return new(kind, name, EventTexts.HasNotice, notice, Level.Warning);
         if (NowposeVersion.MismatchOf(Value("version"), "it", EventTexts.ThisGateway) is { } mismatch)
             yield return new(kind, name, EventTexts.OtherVersion, mismatch, Level.Warning);
-        if (!isAdapter && Value(HeadsetKeys.Pose) is { } pose && !CurrentPoses.Contains(pose))
+        // While no control clock is served, no headset is synchronised, and the clock has a condition of its own.
+        if (!isAdapter && Value(HeadsetKeys.Pose) is { } pose && !CurrentPoses.Contains(pose) && (pose != "unsynchronised" || clock.IsSynchronised))
             yield return new(kind, name, EventTexts.NoCurrentPose, ReasonOf(pose, Value(HeadsetKeys.MissingJoints)), Level.Warning)
             {
                 Remedy = RemedyOf(pose, Value(HeadsetKeys.MissingJoints)),

@@ -16,8 +16,10 @@ namespace Nowpose.Gateway.Status.Joints;
 /// <param name="time">Time source.</param>
 /// <param name="robots">Returns the described robots with their namespaces; null if no robots are described.</param>
 /// <param name="log">Called once, when an adapter uses a former key; null for no log.</param>
+/// <param name="clockFault">Returns the fault of the control clock because of which no joint is current; null if there is none.</param>
 sealed class JointBoard(
-    TimeProvider time, Func<IReadOnlyList<(string Namespace, RobotModel Model)>> robots = null, Action<string> log = null)
+    TimeProvider time, Func<IReadOnlyList<(string Namespace, RobotModel Model)>> robots = null, Action<string> log = null,
+    Func<string> clockFault = null)
 {
     internal const int MaxJoints = 4 * ProtocolLimits.Joints;
 
@@ -36,6 +38,7 @@ sealed class JointBoard(
     readonly Dictionary<string, Joint> _joints = [];
     readonly UnpublishedJoints _unpublished = new(time);
     bool _isFormerKeyLogged;
+    DateTimeOffset? _clockFaultSince;
 
     /// <summary>Adds a published sample.</summary>
     /// <param name="source">The source; null for the gateway's own.</param>
@@ -138,16 +141,30 @@ sealed class JointBoard(
     public IReadOnlyList<JointSnapshot> Read()
     {
         var expected = robots?.Invoke() ?? [];
+        var fault = clockFault?.Invoke();
         lock (_lock)
         {
             Forget();
+            _clockFaultSince = fault == null ? null : _clockFaultSince ?? time.GetUtcNow();
             return
             [
-                .. _joints.Values.SelectMany(joint => joint.Judge()).Concat(_unpublished.Judge(expected, _joints.ContainsKey)).OrderBy(row => row.Name, StringComparer.Ordinal)
+                .. _joints.Values.SelectMany(joint => joint.Judge()).Concat(_unpublished.Judge(expected, _joints.ContainsKey))
+                    .Select(row => WithClockFault(row, fault)).OrderBy(row => row.Name, StringComparer.Ordinal)
                     .ThenBy(row => row.Source, StringComparer.Ordinal),
             ];
         }
     }
+
+    // A joint that is in fault or missing has a reason of its own.
+    JointSnapshot WithClockFault(in JointSnapshot row, string fault) =>
+        fault == null || row.State is JointDataState.Fault or JointDataState.Missing ? row : row with
+        {
+            State = JointDataState.Fault,
+            Since = _clockFaultSince.Value,
+            Reason = fault,
+            ReasonWord = JointFaultReasons.ClockRate,
+            Uncertainty = "",
+        };
 
     Joint Find(string name)
     {

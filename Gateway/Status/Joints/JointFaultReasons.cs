@@ -32,6 +32,9 @@ static class JointFaultReasons
     /// <summary>The samples arrive with a time stamp that is too old.</summary>
     public const string StampOld = "stamp-old";
 
+    /// <summary>The control clock does not run in real time, so no position of the joint is current.</summary>
+    public const string ClockRate = "clock-rate";
+
     /// <summary>Any other reason, for example of an adapter that sends no word.</summary>
     public const string Other = "other";
 
@@ -51,7 +54,7 @@ static class JointFaultReasons
 
     /// <summary>All words.</summary>
     public static readonly IReadOnlySet<string> All =
-        new HashSet<string>([.. OfAdapters, .. OfValues, Taken, NoSample, SamplesStopped, AdapterSilent, NotPublished, InvalidMessage, Other]);
+        new HashSet<string>([.. OfAdapters, .. OfValues, Taken, NoSample, SamplesStopped, AdapterSilent, NotPublished, InvalidMessage, ClockRate, Other]);
 
     /// <summary>Whether a word means that a value has arrived and cannot be used.</summary>
     public static bool IsOfValue(string word) => word != null && OfValues.Contains(word);

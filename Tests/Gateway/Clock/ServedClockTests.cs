@@ -54,6 +54,26 @@ public class ServedClockTests
         Assert.That(wasUnsynchronised, Is.True);
     }
 
+    [TestCase(0.5)]
+    [TestCase(0.997)]
+    [TestCase(2)]
+    public void IsSynchronised_PlantClockRunsAtAWrongRate_IsFalse(double rate)
+    {
+        var plant = new VirtualPlant();
+        plant.Add("plc", 1000, (rate - 1) * 1e6);
+        plant.Run(TimeSpan.FromSeconds(6));
+
+        for (var i = 0; i < 600; i++)
+        {
+            plant.Run(TimeSpan.FromMilliseconds(50));
+            Assert.That(plant.Served.IsSynchronised, Is.False);
+            Assert.That(plant.Served.State, Is.EqualTo(ClockState.Converging));
+        }
+
+        Assert.That(plant.Served.WrongRate, Is.EqualTo(rate).Within(0.001 * rate));
+        Assert.That(plant.Served.Status()[0].WrongRate, Is.EqualTo(plant.Served.WrongRate));
+    }
+
     [Test]
     public void AtReceived_InterruptedAfterTheClockIsRead_IsNotTooEarly()
     {

@@ -31,4 +31,21 @@ public class ClockStepsTests
         var one = events.Read().Single();
         Assert.That((one.Condition.Kind, one.Condition.Which, one.Condition.What), Is.EqualTo(("clock", "plc", "was stepped")));
     }
+
+    [Test]
+    public void Look_ControlClockRunsAtAWrongRate_AddsAtMostOneEvent()
+    {
+        var plant = new ServedClockTests.VirtualPlant();
+        plant.Add("plc", 1000, -3000);
+        var events = new EventList(new SteppedTime(), (_, _) => { });
+        var steps = new ClockSteps(plant.Clocks, events);
+        for (var i = 0; i < 300; i++)
+        {
+            plant.Run(TimeSpan.FromSeconds(0.2));
+            steps.Look();
+        }
+
+        Assert.That(plant.Clocks.Control.Model.Steps, Is.GreaterThan(5));
+        Assert.That(events.Read(), Has.Count.LessThan(2));
+    }
 }

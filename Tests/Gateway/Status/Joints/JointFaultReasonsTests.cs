@@ -14,7 +14,8 @@ public class JointFaultReasonsTests
     // In the adapters' source, these words are composed.
     static readonly string[] Composed = ["status-bad", "status-uncertain"];
 
-    static readonly string[] OfGateway = ["taken", "no-sample", "samples-stopped", "adapter-silent", "not-published", "invalid-message", "other"];
+    static readonly string[] OfGateway =
+        ["taken", "no-sample", "samples-stopped", "adapter-silent", "not-published", "invalid-message", "clock-rate", "other"];
 
     SampledBoard _joints;
 
