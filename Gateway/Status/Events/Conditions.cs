@@ -33,12 +33,17 @@ sealed class Conditions(
     public IReadOnlyList<Condition> Read(IReadOnlyList<JointSnapshot> joints)
     {
         var reports = diagnostics.Read();
+        // The joints, frames and signals of an adapter that is not connected have the same fault as the adapter, and a wrong rate of the control
+        // clock makes all joints faulty.
+        var unconnected = reports.Where(one => NotConnectedReason(one) != null).Select(one => StatusObjects.AdapterName(one.Name)).ToHashSet();
+        var faulty = joints.Where(row => !row.IsGood).ToLookup(row => unconnected.Contains(row.Source));
         return
         [
-            .. ClockConditions.Of(clock).Concat(OfSources(joints)).Concat(OfAdapters(reports))
-                .Concat(joints.Where(row => !row.IsGood && row.ReasonWord != JointFaultReasons.ClockRate).Select(Of)).Concat(OfUncertainRests(joints))
-                .Concat(OfCell("frame", AdapterReport.FramePrefix)).Concat(OfCell("signal", AdapterReport.SignalPrefix))
-                .Concat(OfFrames(joints)).Concat(OfSignals())
+            .. reports.SelectMany(one => OfConnection(one, faulty[true])).Concat(ClockConditions.Of(clock)).Concat(OfSources(joints))
+                .Concat(OfAdapters(reports))
+                .Concat(faulty[false].Where(row => row.ReasonWord != JointFaultReasons.ClockRate).Select(Of)).Concat(OfUncertainRests(joints))
+                .Concat(OfCell("frame", AdapterReport.FramePrefix, unconnected)).Concat(OfCell("signal", AdapterReport.SignalPrefix, unconnected))
+                .Concat(OfFrames(joints, unconnected)).Concat(OfSignals(unconnected))
                 .Concat(reports.SelectMany(Of)).Concat(refusals.Read()).Concat(limits.Invalid.Select(OfDescription)).Concat(OfLimits(joints)).Concat(OfRecording())
                 .Concat(connections.Read()).Concat(AccessConditions.Of(options))
                 .DistinctBy(condition => condition.Key).OrderByDescending(condition => condition.Level),
@@ -71,23 +76,26 @@ sealed class Conditions(
         });
 
     // These conditions do not affect the gateway's readiness, because headsets can show the robot without objects or signals.
-    IEnumerable<Condition> OfCell(string kind, string prefix) => cell.Troubled(prefix).Select(
-        one => new Condition(
+    IEnumerable<Condition> OfCell(string kind, string prefix, HashSet<string> unconnected) =>
+        from one in cell.Troubled(prefix)
+        where !unconnected.Contains(one.Adapter)
+        select new Condition(
             kind, $"{one.Name} ({one.Adapter})",
             one.Report.State == JointDataState.Fault ? EventTexts.InFault : EventTexts.Is(JointDataStates.Of(one.Report.State)), one.Report.Reason,
             Level.Error, Since: one.Report.Since)
         {
             Remedy = EventRemedies.CellVariables,
             IsNormalAtStart = one.Report.State == JointDataState.Missing,
-        });
+        };
 
     // Frames whose adapter reports a fault have a condition of OfCell. A parent that is not current has a condition of its own, or its robot's joints have.
-    IEnumerable<Condition> OfFrames(IReadOnlyList<JointSnapshot> joints)
+    IEnumerable<Condition> OfFrames(IReadOnlyList<JointSnapshot> joints, HashSet<string> unconnected)
     {
         var frames = board.Frames(clock.Now, joints);
         var reported = frames.Where(HasFault).Select(frame => frame.Name).ToHashSet(StringComparer.Ordinal);
         return
             from frame in frames
+            where !unconnected.Contains(frame.Source)
             where frame is { State: CellStates.Stale, IsAtRest: false } || IsRefused(frame.State) || IsMissing(frame.State)
                 || frame.State == CellStates.Orphan && options.Time.GetUtcNow() - frame.Since >= OrphanTimeout && !reported.Contains(frame.Cause)
             select Of(frame);
@@ -112,8 +120,9 @@ sealed class Conditions(
 
     static bool IsRefused(string state) => state == JointDataStates.Of(JointDataState.Refused);
 
-    IEnumerable<Condition> OfSignals() =>
+    IEnumerable<Condition> OfSignals(HashSet<string> unconnected) =>
         from signal in board.Signals(clock.Now)
+        where !unconnected.Contains(signal.Source)
         where signal.State == CellStates.Ended || IsRefused(signal.State)
         let isRefused = IsRefused(signal.State)
         select new Condition(
@@ -152,6 +161,30 @@ sealed class Conditions(
             IsNormalAtStart = end == null,
         };
 
+    static string ValueOf(ClientReport report, string key) => report.Values.FirstOrDefault(pair => pair.Key == key).Value;
+
+    // Returns the state of an adapter that is not connected to its plant, with the reason if it reports one; null for another client.
+    static string NotConnectedReason(ClientReport report)
+    {
+        if (!report.IsOfAdapter || report.Ago > StatusObjects.Silence) return null;
+        if (ValueOf(report, "state") is not { } state || state == "connected") return null;
+        return ValueOf(report, "reason") is { } why ? $"{state}: {why}" : state;
+    }
+
+    /// <param name="faulty">The faulty joints of all adapters that are not connected.</param>
+    static IEnumerable<Condition> OfConnection(ClientReport report, IEnumerable<JointSnapshot> faulty)
+    {
+        if (NotConnectedReason(report) is not { } reason) yield break;
+        var name = StatusObjects.AdapterName(report.Name);
+        yield return new("adapter", name, EventTexts.IsNotConnected, reason, Level.Error, faulty.Any(row => row.Source == name))
+        {
+            Headline = EventTexts.NotConnected(name),
+            // Normal only before the first samples; later, it means that the connection was lost.
+            IsNormalAtStart = ValueOf(report, "samples") is null or "0",
+            Age = report.Age,
+        };
+    }
+
     IEnumerable<Condition> Of(ClientReport report)
     {
         var isAdapter = report.IsOfAdapter;
@@ -162,15 +195,7 @@ sealed class Conditions(
             yield break;
         }
 
-        string Value(string key) => report.Values.FirstOrDefault(pair => pair.Key == key).Value;
-        if (isAdapter && Value("state") is { } state && state != "connected")
-            yield return new(kind, name, EventTexts.IsNotConnected, Value("reason") is { } why ? $"{state}: {why}" : state, Level.Error)
-            {
-                Headline = EventTexts.NotConnected(name),
-                // Normal only before the first samples; later, it means that the connection was lost.
-                IsNormalAtStart = Value("samples") is null or "0",
-                Age = report.Age,
-            };
+        string Value(string key) => ValueOf(report, key);
         if (isAdapter && Value("notice") is { } notice)
             yield return new(kind, name, EventTexts.HasNotice, notice, Level.Warning);
         if (NowposeVersion.MismatchOf(Value("version"), "it", EventTexts.ThisGateway) is { } mismatch)

@@ -101,6 +101,34 @@ public class AdapterFaultTests
     }
 
     [Test]
+    public async Task Ready_AdapterNotConnected_NamesTheAdapterInsteadOfItsJointsAndObjects()
+    {
+        const string Why = "no OPC UA server responds at opc.tcp://press:4840";
+        await _gateway.StartAsync(options => options with { ExpectsSources = true });
+        void Report(string state, string values) => _gateway.Report(
+            "plant/press", ("state", state), ("reason", Why), ("samples", "7"), ("joint/a", $"{values} {_gateway.Since()} why"),
+            ("joint/b", $"{values} {_gateway.Since()} why"), ("frame/part", $"{values} {_gateway.Since()} why"),
+            ("signal/closed", $"{values} {_gateway.Since()} why"));
+        Report("waiting", "missing");
+        await _gateway.BeginsAsync("adapter", "press");
+
+        Assert.That(await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable), Is.EqualTo(new[]
+        {
+            "waiting", $"{EventTexts.NotConnected("press")}: waiting: {Why} (since 2026-11-20 12:00:00 UTC)",
+        }));
+        var state = await _gateway.StateAsync();
+        Assert.That(
+            state.GetProperty("events").EnumerateArray().Select(one => one.GetProperty("kind").GetString()), Is.EqualTo(new[] { "adapter" }));
+        Assert.That(state.GetProperty("joints").GetArrayLength(), Is.EqualTo(2), "the joints keep their own states");
+
+        Report("connected", "missing");
+
+        Assert.That(
+            await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable),
+            Has.Length.EqualTo(3).And.Some.StartsWith($"joint a (press) {EventTexts.IsMissing}"));
+    }
+
+    [Test]
     public async Task Start_PlantConnectsWithinTheGracePeriod_AddsNoEvent()
     {
         await _gateway.StartAsync(
