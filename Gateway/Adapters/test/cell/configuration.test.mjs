@@ -164,6 +164,15 @@ describe('configuration of frames, signals and robots', () => {
       assert.deepEqual(read(changed).warnings, []);
     });
 
+  it('Parent_BaseLinkOfTheController_IsAWarningOnlyIfTheRobotHasNoSuchLink', () => {
+    const warningsWith = link => {
+      const urdf = temporaryFile('own.urdf', `<robot name="own"><link name="base_link"/><link name="${link}"/></robot>`);
+      return read(`robot: ${urdf}\n${OPCUA.replace('parent: table', 'parent: base')}`).warnings.length;
+    };
+
+    assert.deepEqual([warningsWith('base'), warningsWith('flange')], [0, 1]);
+  });
+
   for (const [name, text] of [
     ['ElementOfTheArray', OPCUA.replace('parent: table', 'parent: { of: [table, arm1/tool0], node: i=3, index: 6 }').replace('i=4', 'i=3').replace('i=5', 'i=3, index: 2')],
     ['FieldOfTheMessage', MQTT.replace('topic: part/angle', 'topic: part, field: angle')],
