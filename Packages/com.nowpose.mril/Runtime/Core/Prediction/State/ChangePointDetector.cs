@@ -41,8 +41,8 @@ namespace Nowpose.Prediction.State
         double _acceleration, _speed;
         double _maxAcceleration, _maxSpeed, _intervalBefore;
 
-        // Number of samples, and SamplesSince before the newest sample, which is valid again if this sample was wrong.
-        int _samples, _formerSince;
+        // Number of samples, and the numbers before the newest sample, which are valid again if this sample was wrong.
+        int _samples, _formerSamples, _formerSince;
         bool _wasSteady;
 
         /// <summary>
@@ -62,8 +62,8 @@ namespace Nowpose.Prediction.State
         /// <param name="isUnconfirmed">Whether the sample may be wrong (<see cref="JumpDetector.IsUnconfirmed"/>): it does not increase the maxima.</param>
         public void Add(MotionState motion, double forgettingFactor, bool isUnconfirmed)
         {
-            if (motion.IsPreviousWrong) (SamplesSince, _acceleration, _speed) = (_formerSince, 0, 0);
-            _formerSince = SamplesSince;
+            if (motion.IsPreviousWrong) (_samples, SamplesSince, _acceleration, _speed) = (_formerSamples, _formerSince, 0, 0);
+            Store();
             _samples = Math.Min(_samples, int.MaxValue - 1) + 1;
             SamplesSince = Math.Min(SamplesSince + 1, _samples);
             if (_samples < 2) return;
@@ -94,7 +94,7 @@ namespace Nowpose.Prediction.State
         /// <summary>Adds a sample at a place that has no connection with the samples before it.</summary>
         public void AddJump()
         {
-            _formerSince = SamplesSince;
+            Store();
             // The velocity of the next sample is compared with nothing.
             (SamplesSince, SpeedIncreased, _samples) = (1, false, 1);
             (_acceleration, _speed) = (0, 0);
@@ -103,9 +103,11 @@ namespace Nowpose.Prediction.State
         public void Reset()
         {
             _acceleration = _speed = _maxAcceleration = _maxSpeed = _intervalBefore = 0;
-            SamplesSince = _samples = _formerSince = 0;
+            SamplesSince = _samples = _formerSamples = _formerSince = 0;
             SpeedIncreased = IsSteady = _wasSteady = false;
         }
+
+        void Store() => (_formerSamples, _formerSince) = (_samples, SamplesSince);
 
         void RaiseMaxima()
         {

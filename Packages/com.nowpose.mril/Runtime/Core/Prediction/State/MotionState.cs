@@ -210,8 +210,8 @@ namespace Nowpose.Prediction.State
             PreviousTime = TimeAt(1);
             for (var c = 0; c < Components; c++) Previous[c] = Newest[c] + Displacements[Components + c];
             TakeVelocity();
-            for (var c = 0; c < Components && Count > 2; c++)
-                VelocityBefore[c] = (Displacements[2 * Components + c] - Displacements[Components + c]) / (Times[2] - Times[1]);
+            for (var c = 0; c < Components; c++)
+                VelocityBefore[c] = Count < 3 ? Velocity[c] : (Displacements[2 * Components + c] - Displacements[Components + c]) / (Times[2] - Times[1]);
         }
 
         void TakeVelocity()

@@ -89,6 +89,29 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(furthest, Is.LessThan(0.21), "seed 5; not beyond the largest outlier");
         }
 
+        // The samples before the outlier are used again as soon as the next one shows that it was wrong.
+        [TestCase(0)]
+        [TestCase(0.3)]
+        public void At_SampleAfterAnOutlierOfACurvedMotion_IsPredictedFromTheSamplesBeforeIt(double outlier)
+        {
+            Vector3D Position(double t) => new Vector3D(0.3 * Math.Sin(2 * t) + 0.1 * Math.Sin(4.1 * t + 1), 0.25 * Math.Cos(1.7 * t), 0.1 * Math.Sin(2.6 * t));
+            var (squares, count) = (0.0, 0);
+            for (var wrong = 100; wrong < 500; wrong += 7, count++)
+            {
+                var predictor = new BodyPredictor("adaptive", new PredictionLimits());
+                for (var i = 0; i <= wrong + 1; i++)
+                {
+                    var position = Position(i * Interval) + new Vector3D(i == wrong ? outlier : 0, 0, 0);
+                    predictor.Add(new PoseSample(i * Interval, position, UnitQuaternion.Identity), (i - 1) * Interval + 0.1);
+                }
+                var time = (wrong + 1) * Interval + 0.1;
+                var (pose, truth) = (predictor.At(time), Position(time));
+                squares += Math.Pow(pose.X - truth.X, 2) + Math.Pow(pose.Y - truth.Y, 2) + Math.Pow(pose.Z - truth.Z, 2);
+            }
+
+            Assert.That(Math.Sqrt(squares / count), Is.LessThan(0.004), "m");
+        }
+
         // A planar marker on a belt: a tracker confuses two rotations now and then, but its position is right.
         [Test]
         public void Add_OnlyTheRotationJumps_PositionIsPredictedAndThePoseIsNotCurrent()

@@ -1,3 +1,4 @@
+using System;
 using NUnit.Framework;
 using Nowpose.Prediction;
 using Nowpose.Prediction.Samples;
@@ -76,9 +77,27 @@ namespace Nowpose.Tests.Core.Prediction.State
             Assert.That((detector.SamplesSince, detector.SpeedIncreased), Is.EqualTo((1, false)));
         }
 
+        // The second sample after a gap is wrong. Its acceleration would hide an abrupt stop for about 20 s.
+        [Test]
+        public void Add_AbruptStopAfterAWrongSampleThatFollowsAGap_LeavesOutEarlierSamples()
+        {
+            var buffer = new SampleBuffer<JointSample>(8, PredictionParts.None, PredictionLimits.Unlimited);
+            var (detector, motion) = (new ChangePointDetector(), new MotionState(1, 0, 8, buffer.Timing, omitsWrong: true));
+            for (var k = 0; k < 12; k++)
+            {
+                var time = (k < 5 ? k : k + 40) * Interval;
+                var stop = 50 * Interval;
+                buffer.Add(new JointSample(time, Math.Min(time, stop) * (1 + 0.01 * Math.Sin(5 * time)) + (k == 6 ? 20 : 0)), displayed: double.NaN);
+                motion.Take(buffer);
+                detector.Add(motion, ForgettingFactor, isUnconfirmed: k == 6);
+            }
+
+            Assert.That(detector.SamplesSince, Is.LessThanOrEqualTo(2));
+        }
+
         [Test]
         public void Add_SameVelocityAsBeforeAWrongSample_IsNoChangePoint() =>
-            Assert.That(WithWrongSample(4, 0.9, 1, 1, 1, 50, -48, 1.1).SamplesSince, Is.EqualTo(2));
+            Assert.That(WithWrongSample(4, 0.9, 1, 1, 1, 50, -48, 1.1, 1.1).SamplesSince, Is.EqualTo(3));
 
         [Test]
         public void Add_AccelerationLikeEarlierOnes_IsNoChangePoint() =>
