@@ -26,6 +26,7 @@ static class DemoFacts
         (DemoTexts.FrameRateLabel, !s.IsRendered ? DemoTexts.Fps(DemoDisplay.FramesPerSecond) : DemoTexts.FrameRate(DemoDisplay.FramesPerSecond)),
         (DemoTexts.Load, (s.Load ?? s.SteadyVertices) is int vertices ? DemoTexts.Vertices(vertices) : DemoTexts.None),
         (DemoTexts.SetPoints, s.PublishesPlan ? DemoTexts.Published : DemoTexts.None),
+        (DemoTexts.Version, ProgramVersion.Text),
         (DemoTexts.Seed, s.Seed.ToString(CultureInfo.InvariantCulture)),
     ];
 

@@ -9,6 +9,9 @@ sealed record DemoResult(
     DemoResult.Latencies LatencyMs, DemoResult.ClockErrors Clock, DemoResult.ToolErrors ToolErrorMm, DemoResult.FrameCost Frame,
     DemoResult.Hindcasts Hindcast, DemoResult.Ranges Range, DemoResult.LightErrors LightErrorMs, DemoResult.BodyErrors Bodies)
 {
+    /// <summary>The conditions of the run. With <c>--repeats</c>, those of the first repeat.</summary>
+    public DemoConditions Conditions { get; init; }
+
     /// <summary>The paper's claims with the values of this run; null without <c>--paper</c>.</summary>
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
     public IReadOnlyList<PaperClaim> Claims { get; init; }

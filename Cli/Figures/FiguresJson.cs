@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.Reflection;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Messages;
 
@@ -35,11 +34,9 @@ static class FiguresJson
         ["Seed", settings.Seed.ToString(CultureInfo.InvariantCulture)],
         ["Errors", FigurePageTexts.Rms],
         ["Computed in", FigurePageTexts.VirtualTime],
-        ["Nowpose", Version],
+        ["Nowpose", ProgramVersion.Text],
         ["Date", DateTime.UtcNow.ToString("yyyy-MM-dd", CultureInfo.InvariantCulture)],
     ];
-
-    static string Version => typeof(FiguresJson).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()!.InformationalVersion.Split('+')[0];
 
     static string Ms(double seconds) => (1000 * seconds).ToString("0.###", CultureInfo.InvariantCulture) + " ms";
 

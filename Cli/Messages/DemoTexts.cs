@@ -60,6 +60,7 @@ static class DemoTexts
     public const string Load = "Load";
     public const string SetPoints = "Set-points ahead";
     public const string Seed = "Seed";
+    public const string Version = "Nowpose";
     public const string DisplayTimeError = "Display time error, P95";
     public const string SynchronisedAfter = "Clock synchronised after";
     public const string AllocatedPerFrame = "Allocated per frame";

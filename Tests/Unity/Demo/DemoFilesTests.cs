@@ -123,7 +123,7 @@ public class DemoFilesTests
         Assert.That(result.GetProperty("latency_ms").GetProperty("app_p50").GetDouble(), Is.GreaterThan(50));
         Assert.That(result.GetProperty("frames").GetInt32(), Is.EqualTo(300));
         Assert.That(result.GetProperty("network").GetString(), Is.EqualTo("lan"));
-        Assert.That(Names(result), Is.EqualTo("seconds frames samples dropped network latency_ms clock tool_error_mm frame hindcast range light_error_ms bodies"));
+        Assert.That(Names(result), Is.EqualTo("seconds frames samples dropped network latency_ms clock tool_error_mm frame hindcast range light_error_ms bodies conditions"));
         Assert.That(result.GetProperty("range").ValueKind, Is.EqualTo(JsonValueKind.Null), "no load");
         Assert.That(Names(result.GetProperty("latency_ms")), Is.EqualTo("app_p50 app_p95 visu total_error_p95"));
         Assert.That(
