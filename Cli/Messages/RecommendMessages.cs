@@ -3,7 +3,7 @@ namespace Nowpose.Cli.Messages;
 /// <summary>Error messages and warnings of the command <c>recommend</c>, with remedies.</summary>
 static class RecommendMessages
 {
-    public static string TooFewRows(string path) => $"{path}: has too few rows to be divided into two halves; record a longer motion";
+    public static string TooShort(string path) => $"{path}: is too short: no frame could be evaluated in one of its halves; record a longer motion";
 
     public const string GridSets = "--grid also sets this value; remove one of the two options";
 

@@ -9,8 +9,8 @@ sealed class BlendCost
     /// <summary>Maximum accepted increase, relative to the RMS error.</summary>
     public const double MaxShare = 0.05;
 
-    /// <summary>Number of runs for one recommendation: without and with the blend, on both halves.</summary>
-    public const int Runs = 4;
+    /// <summary>Number of runs for one recommendation: without and with the blend.</summary>
+    public const int Runs = 2;
 
     /// <param name="report">Called after each finished run.</param>
     public BlendCost(Recommendation recommendation, Action report, CancellationToken cancellation)
@@ -41,14 +41,9 @@ sealed class BlendCost
         var (subject, predictor) = (recommendation.Subject, recommendation.Recommended.Predictor);
         try
         {
-            // A cancelled run is incomplete.
-            var first = subject.Try(predictor, Half.First, blendMs, cancellation);
-            if (cancellation.IsCancellationRequested) return null;
+            var trial = subject.Try(predictor, blendMs, cancellation);
             report();
-            var second = subject.Try(predictor, Half.Second, blendMs, cancellation);
-            if (cancellation.IsCancellationRequested) return null;
-            report();
-            return new Trial(predictor, first, second);
+            return trial;
         }
         catch (OperationCanceledException)
         {

@@ -1,14 +1,13 @@
 using System.Collections.Concurrent;
-using Nowpose.Cli.Replay;
 
 namespace Nowpose.Cli.Recommend;
 
-/// <summary>Evaluates all candidates on both halves of each recording. Runs in parallel on all processors.</summary>
+/// <summary>Evaluates all candidates on each recording. Runs in parallel on all processors.</summary>
 sealed class CandidateEvaluation(IReadOnlyList<ISubject> subjects)
 {
-    readonly ConcurrentDictionary<(ISubject Subject, string Predictor, Half Half), ReplayResult> _results = new();
+    readonly ConcurrentDictionary<(ISubject Subject, string Predictor), Trial> _results = new();
 
-    public int Runs => subjects.Count * Candidates.Names.Count * 2;
+    public int Runs => subjects.Count * Candidates.Names.Count;
 
     /// <summary>Number of finished runs.</summary>
     public int Done => _results.Count;
@@ -19,7 +18,7 @@ sealed class CandidateEvaluation(IReadOnlyList<ISubject> subjects)
     public void Run(Action<int> report, CancellationToken cancellation)
     {
         var gate = new object();
-        var runs = from predictor in Candidates.Names from subject in subjects from half in Enum.GetValues<Half>() select (subject, predictor, half);
+        var runs = from predictor in Candidates.Names from subject in subjects select (subject, predictor);
         try
         {
             // Preserves the order of the runs, because the references that all candidates are compared with come first.
@@ -28,10 +27,7 @@ sealed class CandidateEvaluation(IReadOnlyList<ISubject> subjects)
                 new ParallelOptions { MaxDegreeOfParallelism = Environment.ProcessorCount, CancellationToken = cancellation },
                 run =>
                 {
-                    var result = run.subject.Try(run.predictor, run.half, cancellation: cancellation);
-                    // A cancelled run has no valid result.
-                    if (cancellation.IsCancellationRequested) return;
-                    _results[run] = result;
+                    _results[run] = run.subject.Try(run.predictor, cancellation: cancellation);
                     lock (gate) report(_results.Count);
                 });
         }
@@ -46,20 +42,18 @@ sealed class CandidateEvaluation(IReadOnlyList<ISubject> subjects)
     }
 
     /// <summary>
-    /// Gets a recommendation for each recording on which the default predictor and at least one other candidate were evaluated on both halves.
+    /// Gets a recommendation for each recording on which the default predictor and at least one other candidate were evaluated.
     /// </summary>
     public IReadOnlyList<Recommendation> Recommendations() =>
         [.. subjects.Select(subject => (subject, trials: TrialsOn(subject))).Where(s => s.trials.Count > 1).Select(s => new Recommendation(s.subject, s.trials))];
 
+    // None without the default predictor, which is the first candidate.
     List<Trial> TrialsOn(ISubject subject)
     {
         var trials = new List<Trial>();
         foreach (var predictor in Candidates.Names)
-            if (_results.TryGetValue((subject, predictor, Half.First), out var first)
-                && _results.TryGetValue((subject, predictor, Half.Second), out var second))
-                trials.Add(new Trial(predictor, first, second));
-            else if (trials.Count == 0)
-                break;
+            if (_results.TryGetValue((subject, predictor), out var trial)) trials.Add(trial);
+            else if (trials.Count == 0) break;
         return trials;
     }
 }

@@ -1,4 +1,3 @@
-using Nowpose.Cli.Messages;
 using Nowpose.Cli.Replay;
 using Nowpose.Gateway.MotionRecordings;
 
@@ -10,32 +9,38 @@ sealed class MotionSubject : ISubject
     const double MsPerSecond = 1000;
 
     readonly string _path;
-    readonly MotionRecording[] _halves;
+    readonly MotionRecording _motion;
+    readonly long _middle;
 
-    /// <exception cref="InputException">The recording cannot be divided into two halves.</exception>
     public MotionSubject(string path, MotionRecording motion, double samplingMs, double latencyMs)
     {
         _path = path;
+        _motion = motion;
         SamplingMs = samplingMs;
         LatencyMs = latencyMs;
-        var middle = motion.Times[MotionHalves.MiddleOf(WaysOf(motion))];
-        _halves = [motion.Between(0, middle), motion.Between(middle, motion.Duration)];
-        if (_halves.Any(half => half == null))
-            throw new InputException(RecommendMessages.TooFewRows(path));
+        _middle = Ticks.Of(motion.Times[MotionHalves.MiddleOf(WaysOf(motion))]);
     }
 
     public double? SamplingMs { get; }
 
     public double? LatencyMs { get; }
 
-    public ReplayResult Try(string predictor, Half half, double? blendMs, CancellationToken cancellation)
+    public double? Fps { get; } = new ReplaySettings().FrameRateHz;
+
+    // With one phase, the samples have only three different ages in the frames, at 60 fps and a sampling interval of 50 ms.
+    public int? Phases => 5;
+
+    public Trial Try(string predictor, double? blendMs, CancellationToken cancellation)
     {
         var settings = new ReplaySettings
         {
             SamplingInterval = SamplingMs.Value / MsPerSecond, Latency = LatencyMs.Value / MsPerSecond, Predictor = predictor,
-            Blend = blendMs / MsPerSecond,
+            Blend = blendMs / MsPerSecond, Phases = Phases.Value, FrameRateHz = Fps.Value,
         };
-        return new ReplayRun(_path, _halves[(int)half], settings).Run(cancellation: cancellation);
+        var halves = new HalfErrors(ReplayRun.AxesOf(_motion));
+        var run = new ReplayRun(_path, _motion, settings) { Scored = value => halves.Add(value.Ticks <= _middle ? Half.First : Half.Second, value) };
+        run.Run(cancellation: cancellation);
+        return halves.Trial(_path, predictor, cancellation);
     }
 
     static double[] WaysOf(MotionRecording motion)

@@ -10,6 +10,7 @@ static class RecommendJson
         return JsonText.Of(new
         {
             File = path,
+            Version = ProgramVersion.Text,
             Seconds = traits.Duration,
             IntervalMs = new { Median = 1e3 * traits.Interval, P5 = 1e3 * traits.IntervalP5, P95 = 1e3 * traits.IntervalP95 },
             Repeated = traits.Repeats,
@@ -23,6 +24,8 @@ static class RecommendJson
     {
         recommendation.Subject.SamplingMs,
         recommendation.Subject.LatencyMs,
+        recommendation.Subject.Fps,
+        recommendation.Subject.Phases,
         Recommended = recommendation.Recommended.Predictor,
         recommendation.Reason,
         recommendation.Recommended.Reduction,

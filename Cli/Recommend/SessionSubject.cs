@@ -8,27 +8,35 @@ sealed class SessionSubject : ISubject
     readonly string _path;
     readonly RecordedSession _session;
     readonly SessionTruth _truth;
-    readonly int _middle;
+    readonly int _firstOfSecondHalf;
 
     public SessionSubject(string path, RecordedSession session)
     {
         _path = path;
         _session = session;
         _truth = new SessionTruth(session);
-        _middle = MiddleOf(session);
+        _firstOfSecondHalf = session.Events.Take(MiddleOf(session)).Count(one => one.Kind == RecordedSession.EventKind.Frame);
     }
 
     public double? SamplingMs => null;
 
     public double? LatencyMs => null;
 
-    public ReplayResult Try(string predictor, Half half, double? blendMs, CancellationToken cancellation)
+    public double? Fps => null;
+
+    public int? Phases => null;
+
+    public Trial Try(string predictor, double? blendMs, CancellationToken cancellation)
     {
         // Ignores the plan: with it, all candidates would display the same positions.
         var settings = new ReplaySettings { Predictor = predictor, Blend = blendMs / 1000, FollowPlan = false };
-        var replay = new SessionReplay(_path, _session, _truth, settings);
-        var (first, end) = half == Half.First ? (0, _middle) : (_middle, _session.Events.Count);
-        return replay.Run(first, end, cancellation: cancellation);
+        var halves = new HalfErrors(SessionReplay.AxesOf(_session));
+        var replay = new SessionReplay(_path, _session, _truth, settings)
+        {
+            Scored = value => halves.Add(value.Frame < _firstOfSecondHalf ? Half.First : Half.Second, value),
+        };
+        replay.Run(cancellation: cancellation);
+        return halves.Trial(_path, predictor, cancellation);
     }
 
     static int MiddleOf(RecordedSession session)

@@ -3,11 +3,13 @@ namespace Nowpose.Cli.Replay;
 /// <summary>Collects the errors of one axis, and the standard deviations that the predictor states.</summary>
 sealed class AxisError
 {
+    /// <summary>Minimum error of hold, rad or m, in a frame in which the axis counts as moving.</summary>
+    const double MinMoving = 1e-3;
+
     readonly ErrorCollector _errors = new();
-    int _known;
+    readonly Shares _all = new(), _moving = new();
     double _deviations;
-    int _insideOne;
-    int _insideTwo;
+    double _squares;
 
     /// <summary>Number of frames added so far.</summary>
     public int Count => _errors.Count;
@@ -17,14 +19,32 @@ sealed class AxisError
     {
         _errors.Add(held, predicted);
         if (double.IsNaN(deviation)) return;
-        _known++;
         _deviations += deviation;
-        if (Math.Abs(predicted) <= deviation) _insideOne++;
-        if (Math.Abs(predicted) <= 2 * deviation) _insideTwo++;
+        _squares += deviation * deviation;
+        _all.Add(predicted, deviation);
+        if (Math.Abs(held) > MinMoving) _moving.Add(predicted, deviation);
     }
 
     public ReplayResult.Axis Summary(string name) => new(name, _errors.Result())
     {
-        Deviation = _known == 0 ? null : new ReplayResult.Deviation(_deviations / _known, (double)_insideOne / _known, (double)_insideTwo / _known),
+        Deviation = _all.Count == 0 ? null
+            : new ReplayResult.Deviation(_deviations / _all.Count, Math.Sqrt(_squares / _all.Count), _all.Result(), _moving.Result()),
     };
+
+    sealed class Shares
+    {
+        int _insideOne;
+        int _insideTwo;
+
+        public int Count { get; private set; }
+
+        public void Add(double error, double deviation)
+        {
+            Count++;
+            if (Math.Abs(error) <= deviation) _insideOne++;
+            if (Math.Abs(error) <= 2 * deviation) _insideTwo++;
+        }
+
+        public ReplayResult.Coverage Result() => Count == 0 ? default : new(Count, (double)_insideOne / Count, (double)_insideTwo / Count);
+    }
 }

@@ -21,10 +21,13 @@ public sealed class BodyReplay
     readonly ReplaySettings _settings;
     readonly ReplayLoop _loop;
     readonly BodyTruth _truth;
-    readonly BodyPredictor _predictor;
+    readonly Func<BodyPredictor> _newPredictor;
     readonly ErrorCollector _position = new();
     readonly ErrorCollector _rotation = new();
-    double _displayed = double.NaN;
+    readonly List<ErrorCollector> _passes = [];
+    BodyPredictor _predictor;
+    double _displayed;
+    long _frame;
 
     /// <param name="path">Path of the recording, for results and error messages.</param>
     /// <param name="recording">Recording of a rigid body.</param>
@@ -38,12 +41,18 @@ public sealed class BodyReplay
         _path = path;
         _settings = settings;
         _truth = new BodyTruth(recording);
-        _predictor = newPredictor?.Invoke() ?? new BodyPredictor(settings.Predictor, PredictionLimits.Unlimited, settings.Blend ?? 0);
-        _loop = new ReplayLoop(path, recording.Duration, Errors, settings);
+        _loop = new ReplayLoop(path, recording.Times, Errors, settings);
+        _newPredictor = newPredictor ?? (() => new BodyPredictor(settings.Predictor, _loop.Gaps.Limits, settings.Blend ?? 0));
     }
 
-    /// <inheritdoc cref="ReplayRun.Frames"/>
+    /// <summary>The axes of <see cref="Scored"/>. The angle is that from the true rotation.</summary>
+    internal static IReadOnlyList<(string Name, string Unit)> Axes { get; } = [("x", "m"), ("y", "m"), ("z", "m"), ("angle", "deg")];
+
+    /// <inheritdoc cref="ReplayLoop.Frames"/>
     public int Frames => _loop.Frames;
+
+    /// <inheritdoc cref="ReplayRun.Scored"/>
+    internal Action<ScoredValue> Scored { get; init; }
 
     /// <summary>Runs once to the end of the recording. After a cancellation, returns the results so far.</summary>
     /// <param name="report">Receives the number of finished frames from time to time; null if it is not needed.</param>
@@ -51,12 +60,20 @@ public sealed class BodyReplay
     /// <exception cref="OperationCanceledException">The run was cancelled before a frame was scored.</exception>
     public BodyReplayResult Run(Action<int> report = null, CancellationToken cancellation = default)
     {
-        var frames = _loop.Run(PoseAt, Take, Score, report, cancellation);
+        var frames = _loop.Run(Start, PoseAt, Take, Score, report, cancellation);
         var result = new BodyReplayResult(
-            _path, _settings.Predictor, frames, _position.Result(MmPerMetre), _rotation.Result(DegreesPerRadian));
+            _path, _settings.Predictor, frames, _position.Result(MmPerMetre), _rotation.Result(DegreesPerRadian))
+        { Passes = ErrorComparison.OfEach(_passes, MmPerMetre) };
         if (!double.IsFinite(result.Position.Rms + result.Position.RmsHold))
             throw new InputException(ReplayMessages.BodyTooLarge(_path));
         return result;
+    }
+
+    void Start()
+    {
+        _predictor = _newPredictor();
+        _displayed = double.NaN;
+        _passes.Add(new ErrorCollector());
     }
 
     double[] PoseAt(double time)
@@ -78,7 +95,18 @@ public sealed class BodyReplay
         var truth = rotation.At(x, y, z);
         _displayed = time + _settings.LatencyError;
         var (hold, predicted) = (_predictor.Hold, _predictor.At(_displayed));
+        var (holdAngle, angle) = (hold.AngleTo(truth), predicted.AngleTo(truth));
         _position.Add(hold.DistanceTo(truth), predicted.DistanceTo(truth));
-        _rotation.Add(hold.AngleTo(truth), predicted.AngleTo(truth));
+        _rotation.Add(holdAngle, angle);
+        _passes[^1].Add(hold.DistanceTo(truth), predicted.DistanceTo(truth));
+        if (Scored == null) return;
+        (double Truth, double Held, double Predicted)[] values =
+        [
+            (x, hold.X, predicted.X), (y, hold.Y, predicted.Y), (z, hold.Z, predicted.Z),
+            (0, holdAngle * DegreesPerRadian, angle * DegreesPerRadian),
+        ];
+        for (var axis = 0; axis < values.Length; axis++)
+            Scored(new ScoredValue(_frame, Ticks.Of(time), axis, values[axis].Truth, values[axis].Held, values[axis].Predicted, double.NaN));
+        _frame++;
     }
 }

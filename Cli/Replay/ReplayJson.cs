@@ -4,13 +4,16 @@ namespace Nowpose.Cli.Replay;
 static class ReplayJson
 {
     /// <param name="notes">Reasons why the result can mislead a reader; empty if there are none.</param>
-    public static string Of(ReplayResult result, IReadOnlyCollection<string> notes)
+    /// <param name="conditions">The conditions of the result.</param>
+    public static string Of(ReplayResult result, IReadOnlyCollection<string> notes, object conditions)
     {
         var json = new Dictionary<string, object>
         {
             ["file"] = result.File, ["predictor"] = result.Predictor, ["frames"] = result.Frames, ["axes"] = result.Axes.Select(Axis),
-            ["rms_hold"] = result.RmsHold, ["rms"] = result.Rms, ["reduction"] = result.Reduction,
+            ["rms_hold"] = result.RmsHold, ["rms"] = result.Rms, ["reduction"] = result.Reduction, ["mean_reduction"] = result.MeanReduction,
+            ["conditions"] = conditions,
         };
+        if (result.Passes.Count > 1) json["phases"] = result.Passes.Select(Pass);
         if (result.Bodies.Count > 0) json["bodies"] = result.Bodies.Select(body => new
         {
             Name = body.File, body.Frames, ErrorMm = Error(body.Position), ErrorDeg = Error(body.Rotation),
@@ -22,24 +25,30 @@ static class ReplayJson
     }
 
     /// <summary>Formats the result of a rigid body. It has no totals, because millimetres and degrees cannot be added.</summary>
-    /// <inheritdoc cref="Of(ReplayResult, IReadOnlyCollection{string})" path="/param"/>
-    public static string Of(BodyReplayResult result, IReadOnlyCollection<string> notes)
+    /// <inheritdoc cref="Of(ReplayResult, IReadOnlyCollection{string}, object)" path="/param"/>
+    public static string Of(BodyReplayResult result, IReadOnlyCollection<string> notes, object conditions)
     {
         var json = new Dictionary<string, object>
         {
             ["file"] = result.File, ["predictor"] = result.Predictor, ["frames"] = result.Frames,
-            ["body"] = new { ErrorMm = Error(result.Position), ErrorDeg = Error(result.Rotation) },
+            ["body"] = new { ErrorMm = Error(result.Position), ErrorDeg = Error(result.Rotation) }, ["conditions"] = conditions,
         };
+        if (result.Passes.Count > 1) json["phases"] = result.Passes.Select(Pass);
         if (notes.Count > 0) json["notes"] = notes;
         return JsonText.Of(json);
     }
+
+    static object Pass(ErrorComparison pass) => new { pass.RmsHold, pass.Rms };
 
     static object Error(ErrorComparison? comparison) => comparison is { } error ? new { error.RmsHold, error.Rms, error.P95 } : null;
 
     static object Axis(ReplayResult.Axis axis) => axis.Deviation is { } deviation
         ? new
         {
-            axis.Name, axis.Error.RmsHold, axis.Error.Rms, axis.Error.P95, axis.Error.Max, Sd = deviation.Mean, inside_1sd = deviation.InsideOne, inside_2sd = deviation.InsideTwo,
+            axis.Name, axis.Error.RmsHold, axis.Error.Rms, axis.Error.P95, axis.Error.Max,
+            Sd = deviation.Mean, inside_1sd = deviation.All.InsideOne, inside_2sd = deviation.All.InsideTwo, SdRms = deviation.Rms,
+            SdFrames = deviation.All.Frames, MovingFrames = deviation.Moving.Frames, moving_inside_1sd = deviation.Moving.InsideOne,
+            moving_inside_2sd = deviation.Moving.InsideTwo,
         }
         : new { axis.Name, axis.Error.RmsHold, axis.Error.Rms, axis.Error.P95, axis.Error.Max };
 }

@@ -21,22 +21,28 @@ sealed class ReplayLoop
     readonly ReplaySettings _settings;
 
     /// <param name="path">Path of the recording, for error messages.</param>
-    /// <param name="duration">Duration of the recording, s.</param>
+    /// <param name="times">Times of the rows, increasing, s.</param>
     /// <param name="axes">Number of scored values per frame.</param>
     /// <exception cref="InputException">The recording is too long to replay.</exception>
-    public ReplayLoop(string path, double duration, int axes, ReplaySettings settings)
+    public ReplayLoop(string path, IReadOnlyList<double> times, int axes, ReplaySettings settings)
     {
         _path = path;
-        _duration = duration;
+        _duration = times[^1];
         _axes = axes;
         _settings = settings;
         RequireMaxLength();
+        Gaps = new RecordingGaps(times, settings.SamplingInterval);
     }
 
-    /// <summary>Number of frames of the whole recording.</summary>
-    public int Frames => (int)(_duration * _settings.FrameRateHz) + 1;
+    public RecordingGaps Gaps { get; }
 
-    /// <summary>Runs once to the end of the recording, or until it is cancelled.</summary>
+    /// <summary>Number of frames of all passes over the recording.</summary>
+    public int Frames => FramesPerPass * _settings.Phases;
+
+    int FramesPerPass => (int)(_duration * _settings.FrameRateHz) + 1;
+
+    /// <summary>Runs all passes to the end of the recording, or until it is cancelled.</summary>
+    /// <param name="start">Called before each pass, to discard what was learned.</param>
     /// <param name="positionsAt">Returns the sample values at the given time in s, as a new array.</param>
     /// <param name="take">Called for each sample when it has arrived.</param>
     /// <param name="score">Called for each scored frame with its time.</param>
@@ -45,32 +51,46 @@ sealed class ReplayLoop
     /// <exception cref="InputException">No frame could be scored.</exception>
     /// <exception cref="OperationCanceledException">The run was cancelled before a frame was scored.</exception>
     public int Run(
-        Func<double, double[]> positionsAt, Action<SampleFlow.Sample> take, Action<double> score, Action<int> report, CancellationToken cancellation)
+        Action start, Func<double, double[]> positionsAt, Action<SampleFlow.Sample> take, Action<double> score, Action<int> report,
+        CancellationToken cancellation)
     {
-        var flow = new SampleFlow(_duration, positionsAt, _settings);
-        var (end, frames, anyArrived) = (Ticks.Of(_duration), 0, false);
-        for (long i = 0; Ticks.Of(i / _settings.FrameRateHz) <= end && !cancellation.IsCancellationRequested; i++)
+        var frames = 0;
+        for (var phase = 0; phase < _settings.Phases && !cancellation.IsCancellationRequested; phase++)
         {
-            if (i % FramesPerReport == 0) report?.Invoke((int)i);
-            var time = i / _settings.FrameRateHz;
-            while (flow.TryTake(time, out var sample))
-            {
-                anyArrived = true;
-                take(sample);
-            }
-            if (!anyArrived || !flow.ScoringHasStarted(time)) continue;
-            score(time);
-            frames++;
+            start();
+            var (flow, passed) = (new SampleFlow(_duration, positionsAt, Gaps, _settings), phase * FramesPerPass);
+            frames += RunPass(phase, flow, take, score, i => report?.Invoke(passed + i), cancellation);
         }
         if (frames > 0) return frames;
         cancellation.ThrowIfCancellationRequested();
         throw NothingScored();
     }
 
+    int RunPass(
+        int phase, SampleFlow flow, Action<SampleFlow.Sample> take, Action<double> score, Action<int> report, CancellationToken cancellation)
+    {
+        var delay = phase / (_settings.Phases * _settings.FrameRateHz);
+        var (end, frames, newest) = (Ticks.Of(_duration), 0, double.NegativeInfinity);
+        for (var i = 0; Ticks.Of(i / _settings.FrameRateHz + delay) <= end && !cancellation.IsCancellationRequested; i++)
+        {
+            if (i % FramesPerReport == 0) report(i);
+            var time = i / _settings.FrameRateHz + delay;
+            while (flow.TryTake(time, out var sample))
+            {
+                newest = Math.Max(newest, sample.Time);
+                take(sample);
+            }
+            if (double.IsInfinity(newest) || !flow.ScoringHasStarted(time) || Gaps.Separates(newest, time)) continue;
+            score(time);
+            frames++;
+        }
+        return frames;
+    }
+
     void RequireMaxLength()
     {
-        var values = _duration * _settings.FrameRateHz * _axes;
-        var samples = _duration / _settings.SamplingInterval;
+        var values = _duration * _settings.FrameRateHz * _axes * _settings.Phases;
+        var samples = _duration / _settings.SamplingInterval * _settings.Phases;
         if (values > MaxValues || samples > MaxSamples)
             throw new InputException(ReplayMessages.TooManyFrames(_path, _duration, _settings.FrameRateHz, _settings.SamplingInterval * 1e3));
     }
@@ -80,7 +100,7 @@ sealed class ReplayLoop
         var needed = 4 * _settings.SamplingInterval + _settings.Latency + _settings.Jitter + 1 / _settings.FrameRateHz;
         var cause = _duration < needed
             ? ReplayMessages.TooShort(_duration, needed)
-            : ReplayMessages.AllLost(_settings.Loss);
+            : Gaps.Warning ?? ReplayMessages.AllLost(_settings.Loss);
         return new InputException($"{_path}: {cause}");
     }
 }

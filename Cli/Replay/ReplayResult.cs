@@ -1,7 +1,7 @@
 namespace Nowpose.Cli.Replay;
 
 /// <summary>The result of a replay. Errors are in the unit of the recording's columns.</summary>
-public sealed class ReplayResult
+public sealed record ReplayResult
 {
     public ReplayResult(string file, string predictor, int frames, IReadOnlyList<Axis> axes)
     {
@@ -21,10 +21,15 @@ public sealed class ReplayResult
     }
 
     /// <summary>
-    /// Standard deviations that the predictor states: their mean, and the shares, 0 to 1, of frames whose absolute error is at most one or at
-    /// most two standard deviations. Frames without a standard deviation are ignored.
+    /// Standard deviations that the predictor states: their mean, their root mean square, and the coverage of all frames and of those in which
+    /// hold has an error of more than 0.001 rad or m. Frames without a standard deviation are ignored.
     /// </summary>
-    public readonly record struct Deviation(double Mean, double InsideOne, double InsideTwo);
+    public readonly record struct Deviation(double Mean, double Rms, Coverage All, Coverage Moving);
+
+    /// <summary>
+    /// Shares, 0 to 1, of frames whose absolute error is at most one or at most two standard deviations; null without frames.
+    /// </summary>
+    public readonly record struct Coverage(int Frames, double? InsideOne, double? InsideTwo);
 
     public string File { get; }
 
@@ -41,7 +46,12 @@ public sealed class ReplayResult
 
     public IReadOnlyList<Axis> Axes { get; }
 
-    /// <summary>RMS error of hold: square root of the sum of all axes' mean squared errors.</summary>
+    /// <summary>Results of each pass over a motion; empty for a session.</summary>
+    public IReadOnlyList<ErrorComparison> Passes { get; init; } = [];
+
+    /// <summary>
+    /// RMS error of hold: square root of the sum of all axes' mean squared errors. Different units are added like equal ones.
+    /// </summary>
     public double RmsHold { get; }
 
     /// <summary>RMS error of the prediction: square root of the sum of all axes' mean squared errors.</summary>
@@ -49,4 +59,9 @@ public sealed class ReplayResult
 
     /// <summary>1 − Rms / RmsHold; null if hold has no error.</summary>
     public double? Reduction => ErrorReduction.Of(Rms, RmsHold);
+
+    /// <summary>
+    /// Mean over the axes of 1 − Rms / RmsHold, which does not depend on their units; null if hold has no error on any axis.
+    /// </summary>
+    public double? MeanReduction => Axes.Average(axis => axis.Error.Reduction);
 }

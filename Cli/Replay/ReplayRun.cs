@@ -12,10 +12,13 @@ public sealed class ReplayRun
     readonly MotionRecording _recording;
     readonly ReplaySettings _settings;
     readonly ReplayLoop _loop;
+    readonly Func<JointPredictor> _newPredictor;
     readonly JointPredictor[] _predictors;
-    readonly AxisError[] _errors;
+    readonly ReplayErrors _errors;
+    readonly List<ErrorCollector> _passes = [];
     readonly double[] _truth;
-    double _displayed = double.NaN;
+    double _displayed;
+    long _frame;
 
     /// <param name="path">Path of the recording, for results and error messages.</param>
     /// <exception cref="InputException">The predictor is unknown, or the recording is too long to replay.</exception>
@@ -25,28 +28,41 @@ public sealed class ReplayRun
         _path = path;
         _recording = recording;
         _settings = settings;
-        newPredictor ??= () => Predictors.Create(settings.Predictor, PredictionLimits.Unlimited, settings.Blend ?? 0);
-        _predictors = [.. recording.Names.Select(_ => newPredictor())];
-        _errors = [.. recording.Names.Select(_ => new AxisError())];
+        _loop = new ReplayLoop(path, recording.Times, recording.Names.Count, settings);
+        _newPredictor = newPredictor ?? (() => Predictors.Create(settings.Predictor, _loop.Gaps.Limits, settings.Blend ?? 0));
+        _predictors = new JointPredictor[recording.Names.Count];
+        _errors = new ReplayErrors(AxesOf(recording));
         _truth = new double[recording.Names.Count];
-        _loop = new ReplayLoop(path, recording.Duration, recording.Names.Count, settings);
     }
 
-    /// <summary>Number of frames of the whole recording.</summary>
+    /// <inheritdoc cref="ReplayLoop.Frames"/>
     public int Frames => _loop.Frames;
 
-    /// <summary>Runs once to the end of the recording. After a cancellation, returns the results so far.</summary>
+    /// <summary>Called for each axis of each scored frame.</summary>
+    internal Action<ScoredValue> Scored { get; init; }
+
+    /// <summary>Gets the names of the axes, and their units, which a motion does not state.</summary>
+    internal static IReadOnlyList<(string Name, string Unit)> AxesOf(MotionRecording recording) =>
+        [.. recording.Names.Select(name => (name, (string)null))];
+
+    /// <summary>Runs all passes to the end of the recording. After a cancellation, returns the results so far.</summary>
     /// <param name="report">Receives the number of finished frames from time to time; null if it is not needed.</param>
     /// <exception cref="InputException">No frame could be scored, or the errors overflow.</exception>
     /// <exception cref="OperationCanceledException">The run was cancelled before a frame was scored.</exception>
     public ReplayResult Run(Action<int> report = null, CancellationToken cancellation = default)
     {
-        var frames = _loop.Run(PositionsAt, Take, Score, report, cancellation);
-        var axes = _errors.Zip(_recording.Names, (error, name) => error.Summary(name));
-        var result = new ReplayResult(_path, _settings.Predictor, frames, [.. axes]);
+        _loop.Run(Start, PositionsAt, Take, Score, report, cancellation);
+        var result = _errors.Result(_path, _settings.Predictor) with { Passes = ErrorComparison.OfEach(_passes) };
         if (!double.IsFinite(result.Rms + result.RmsHold))
             throw new InputException(ReplayMessages.TooLarge(_path));
         return result;
+    }
+
+    void Start()
+    {
+        for (var joint = 0; joint < _predictors.Length; joint++) _predictors[joint] = _newPredictor();
+        _displayed = double.NaN;
+        _passes.Add(new ErrorCollector());
     }
 
     double[] PositionsAt(double time)
@@ -66,11 +82,18 @@ public sealed class ReplayRun
     {
         _recording.At(time, _truth);
         _displayed = time + _settings.LatencyError;
+        var (hold, predicted) = (0.0, 0.0);
         for (var joint = 0; joint < _truth.Length; joint++)
         {
             var predictor = _predictors[joint];
-            _errors[joint].Add(
-                predictor.Hold - _truth[joint], predictor.At(_displayed).Position - _truth[joint], predictor.DeviationAt(_displayed));
+            var value = new ScoredValue(
+                _frame, Ticks.Of(time), joint, _truth[joint], predictor.Hold, predictor.At(_displayed).Position, predictor.DeviationAt(_displayed));
+            _errors.Add(value);
+            Scored?.Invoke(value);
+            hold += value.HoldError * value.HoldError;
+            predicted += value.Error * value.Error;
         }
+        _passes[^1].Add(Math.Sqrt(hold), Math.Sqrt(predicted));
+        _frame++;
     }
 }

@@ -12,7 +12,12 @@ public sealed class ReplaySettings
     /// <summary>Frames per second.</summary>
     public double FrameRateHz { get; init; } = 60;
 
-    /// <summary>Name of the predictor, from <see cref="Nowpose.Prediction.Predictors"/>.</summary>
+    /// <summary>
+    /// Number of passes over a motion. Pass k, from 0, delays all frames by the share k / number of the frame interval.
+    /// </summary>
+    public int Phases { get; init; } = 1;
+
+    /// <summary>Name of the predictor, from <see cref="Nowpose.Prediction.Predictors"/>. Null to use the recorded predictor of a session.</summary>
     public string Predictor { get; init; } = Nowpose.Prediction.Predictors.Default;
 
     /// <summary>Error ε_L of the latency, s. It is added to the time for which the position is predicted.</summary>

@@ -18,12 +18,21 @@ static class ReplayTable
     static void WriteAxes(IAnsiConsole console, ReplayResult result)
     {
         var statesDeviation = result.Axes.Any(axis => axis.Deviation != null);
-        var table = Create("axis", result.File, result.Predictor, result.Frames, statesDeviation ? ["mean SD", "inside 1 SD", "inside 2 SD"] : []);
+        var table = Create("axis", result.File, result.Predictor, result.Frames,
+            statesDeviation ? ["mean SD", "inside 1 SD", "inside 2 SD", "moving, 2 SD"] : []);
         foreach (var axis in result.Axes)
             table.AddRow([Markup.Escape(OneLine(axis.Name)), .. Cells(axis.Error), .. statesDeviation ? Cells(axis.Deviation) : []]);
         table.AddEmptyRow();
         table.AddRow("all", Number(result.RmsHold), Number(result.Rms), "", "", Percent(result.Reduction));
         console.Write(table.Caption(ReplayTexts.Units));
+        WritePasses(console, result.Passes);
+    }
+
+    // Nothing for one pass.
+    static void WritePasses(IAnsiConsole console, IReadOnlyList<ErrorComparison> passes)
+    {
+        if (passes.Count > 1)
+            console.WriteLine(ReplayTexts.Phases(passes.Count, Number(passes.Min(pass => pass.Rms)), Number(passes.Max(pass => pass.Rms))));
     }
 
     public static void Write(IAnsiConsole console, BodyReplayResult result)
@@ -38,6 +47,7 @@ static class ReplayTable
             Row(ReplayTexts.DisplayedRotation, displayed.Rotation);
         }
         console.Write(table.Caption(ReplayTexts.Body));
+        WritePasses(console, result.Passes);
     }
 
     static Table Create(string subject, string file, string predictor, int frames, params string[] more)
@@ -52,7 +62,8 @@ static class ReplayTable
         [Number(error.RmsHold), Number(error.Rms), Number(error.P95), Number(error.Max), Percent(error.Reduction)];
 
     static string[] Cells(ReplayResult.Deviation? deviation) => deviation is ReplayResult.Deviation value
-        ? [Number(value.Mean), Percent(value.InsideOne), Percent(value.InsideTwo)] : ["–", "–", "–"];
+        ? [Number(value.Mean), Percent(value.All.InsideOne), Percent(value.All.InsideTwo), Percent(value.Moving.InsideTwo)]
+        : ["–", "–", "–", "–"];
 
     // Names in a file may contain characters that control a terminal. The limit is that of 256 names.
     static string OneLine(string text) => InputException.OneLine(text, 1 << 16);

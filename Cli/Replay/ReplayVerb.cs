@@ -1,6 +1,7 @@
 using System.CommandLine;
 using Nowpose.Cli.Messages;
 using Nowpose.Cli.SessionFiles;
+using Nowpose.Gateway;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.MotionRecordings;
 using Spectre.Console;
@@ -11,6 +12,7 @@ namespace Nowpose.Cli.Replay;
 static class ReplayVerb
 {
     const double MsPerSecond = 1000;
+    const string FramesOption = "--frames";
 
     public static Command Create()
     {
@@ -23,29 +25,33 @@ static class ReplayVerb
         var sampling = NumberOption.Create("--sampling-ms", "Sampling interval T_s", 50.0, 0.1, 10000, "ms");
         var latency = NumberOption.Create("--latency-ms", "Latency L, from the time of a sample to its arrival", 100.0, 0, 10000, "ms");
         var fps = NumberOption.Create("--fps", "Frames per second", 60.0, 1, 1000, "");
-        var predictor = PredictorOption.Create();
+        var phases = NumberOption.Create(
+            "--phases", "Number of start phases of the frames, over which the errors of a motion are averaged", 1, 1, 1000, "");
+        var predictor = PredictorOption.Create(ReplayTexts.PredictorOfSession);
         var latencyError = NumberOption.Create("--latency-error-ms", "Error of the latency, added to the time for which positions are predicted", 0.0, -10000, 10000, "ms");
         var stampError = NumberOption.Create("--stamp-error-ms", "Maximum error of each t_k, uniformly distributed around zero", 0.0, 0, 10000, "ms");
         var jitter = NumberOption.Create("--jitter-ms", "Maximum additional delay, uniformly distributed from 0", 0.0, 0, 10000, "ms");
         var loss = NumberOption.Create("--loss", "Probability that a sample is lost", 0.0, 0, 1, "");
         var blend = NumberOption.Create("--blend-ms", "Time constant of the blend from the old section to a new one; a session defines it", 0.0, 0, 200, "ms");
         var seed = NumberOption.Create("--seed", "Seed of the random numbers", 1, int.MinValue, int.MaxValue, "");
+        var frames = TextOption.Create(FramesOption, "CSV file for the true, held and predicted position of each axis in each scored frame");
         var json = SwitchOption.Create("--json", "Print JSON instead of a table");
 
         var verb = new Command("replay", "Predict a recorded motion or session as on the headset, without a network and in virtual time.")
         {
-            file, sampling, latency, fps, predictor, latencyError, stampError, jitter, loss, blend, seed, json
+            file, sampling, latency, fps, phases, predictor, latencyError, stampError, jitter, loss, blend, seed, frames, json
         };
         verb.SetAction((parsed, cancellation) =>
         {
             var path = parsed.GetRequiredValue(file);
-            if (RecordingText.IsSession(path)) RecordingOptions.RequireUnsetForSession(parsed, path, sampling, latency, fps, jitter, loss);
+            if (RecordingText.IsSession(path)) RecordingOptions.RequireUnsetForSession(parsed, path, sampling, latency, fps, phases, jitter, loss);
             var settings = new ReplaySettings
             {
                 SamplingInterval = parsed.GetValue(sampling) / MsPerSecond,
                 Latency = parsed.GetValue(latency) / MsPerSecond,
                 FrameRateHz = parsed.GetValue(fps),
-                Predictor = parsed.GetValue(predictor),
+                Phases = parsed.GetValue(phases),
+                Predictor = RecordingText.IsSession(path) && !RecordingOptions.IsGiven(parsed, predictor) ? null : parsed.GetValue(predictor),
                 LatencyError = parsed.GetValue(latencyError) / MsPerSecond,
                 StampError = parsed.GetValue(stampError) / MsPerSecond,
                 Jitter = parsed.GetValue(jitter) / MsPerSecond,
@@ -53,61 +59,83 @@ static class ReplayVerb
                 Blend = RecordingOptions.IsGiven(parsed, blend) ? parsed.GetValue(blend) / MsPerSecond : null,
                 Seed = parsed.GetValue(seed)
             };
-            return RunAsync(path, settings, parsed.GetValue(json), cancellation);
+            return RunAsync(path, settings, parsed.GetValue(frames), parsed.GetValue(json), cancellation);
         });
         return verb;
     }
 
-    static async Task<int> RunAsync(string path, ReplaySettings settings, bool json, CancellationToken cancellation)
+    /// <param name="frames">Path of the file for the values of each frame; null to write none.</param>
+    static async Task<int> RunAsync(string path, ReplaySettings settings, string frames, bool json, CancellationToken cancellation)
     {
+        if (frames != null) OptionPath.RequireNoInput(FramesOption, [frames], path);
         if (RecordingText.IsSession(path))
         {
             var session = await Invocation.ReadAsync(() => RecordedSession.Read(path), cancellation);
             if (session.Lost > 0) await Console.Error.WriteLineAsync(ConsoleMessages.LostLines(path, session.Lost));
-            var result = WithProgress("events", 2 * session.Events.Count, report => RunSession(path, session, settings, report, cancellation));
+            var result = WithFrames(frames, SessionReplay.AxesOf(session), scored => WithProgress("events", 2 * session.Events.Count,
+                report => RunSession(path, session, settings, report, cancellation, scored)));
             if (result.Frames == 0 && !cancellation.IsCancellationRequested && session.Events.Any(one => one.Kind == RecordedSession.EventKind.Sample))
                 await Console.Error.WriteLineAsync(ConsoleMessages.Line(SessionReplay.NothingScored(path)));
-            Print(result, json, cancellation.IsCancellationRequested);
+            Print(result, json, cancellation.IsCancellationRequested, ReplayConditions.Of(settings, session.Header.Prediction));
+            return ExitStatus.Done;
+        }
+        var recording = await Invocation.ReadAsync(() => MotionRecording.Read(path), cancellation);
+        if (recording.IsBody)
+        {
+            var result = WithFrames(frames, BodyReplay.Axes, scored =>
+            {
+                var replay = new BodyReplay(path, recording, settings) { Scored = scored };
+                return WithProgress("frames", replay.Frames, report => replay.Run(report, cancellation));
+            });
+            WarnOfRows(path, recording, settings);
+            Print(result, json, cancellation.IsCancellationRequested, ReplayConditions.Of(settings));
         }
         else
         {
-            var recording = await Invocation.ReadAsync(() => MotionRecording.Read(path), cancellation);
-            if (recording.IsBody)
+            var result = WithFrames(frames, ReplayRun.AxesOf(recording), scored =>
             {
-                var replay = new BodyReplay(path, recording, settings);
-                var result = WithProgress("frames", replay.Frames, report => replay.Run(report, cancellation));
-                WarnOfRows(path, recording, settings);
-                Print(result, json, cancellation.IsCancellationRequested);
-            }
-            else
-            {
-                var replay = new ReplayRun(path, recording, settings);
-                var result = WithProgress("frames", replay.Frames, report => replay.Run(report, cancellation));
-                WarnOfRows(path, recording, settings);
-                Print(result, json, cancellation.IsCancellationRequested);
-            }
+                var replay = new ReplayRun(path, recording, settings) { Scored = scored };
+                return WithProgress("frames", replay.Frames, report => replay.Run(report, cancellation));
+            });
+            WarnOfRows(path, recording, settings);
+            Print(result, json, cancellation.IsCancellationRequested, ReplayConditions.Of(settings));
         }
         return ExitStatus.Done;
+    }
+
+    /// <summary>Calls a replay with an action that writes each value to a file; with null if there is no file.</summary>
+    static T WithFrames<T>(string path, IReadOnlyList<(string Name, string Unit)> axes, Func<Action<ScoredValue>, T> replay)
+    {
+        if (path == null) return replay(null);
+        T result = default;
+        OptionPath.Write(FramesOption, path, () => OutputFile.Write(path, (TextWriter file) =>
+        {
+            var table = new FrameTable(file, axes);
+            table.WriteHeader();
+            result = replay(table.Write);
+        }));
+        return result;
     }
 
     // Called only after a replay, because invalid input gives only one line.
     static void WarnOfRows(string path, MotionRecording recording, ReplaySettings settings)
     {
-        if (RowInterval.WarningOf(recording, settings.SamplingInterval * MsPerSecond) is { } warning)
+        foreach (var warning in RowInterval.WarningsOf(recording, settings.SamplingInterval * MsPerSecond))
             Console.Error.WriteLine(ConsoleMessages.Line($"{path}: {warning}"));
     }
 
     /// <param name="isInterrupted">Whether the user ended the replay, so that the result is partial.</param>
-    internal static void Print(ReplayResult result, bool json, bool isInterrupted)
+    /// <param name="conditions">The conditions of the result, for JSON.</param>
+    internal static void Print(ReplayResult result, bool json, bool isInterrupted, object conditions = null)
     {
-        if (json) Console.Out.WriteLine(ReplayJson.Of(result, Notes(isInterrupted)));
+        if (json) Console.Out.WriteLine(ReplayJson.Of(result, Notes(isInterrupted), conditions));
         else Write(console => ReplayTable.Write(console, result), isInterrupted);
     }
 
-    /// <inheritdoc cref="Print(ReplayResult, bool, bool)"/>
-    internal static void Print(BodyReplayResult result, bool json, bool isInterrupted)
+    /// <inheritdoc cref="Print(ReplayResult, bool, bool, object)"/>
+    internal static void Print(BodyReplayResult result, bool json, bool isInterrupted, object conditions = null)
     {
-        if (json) Console.Out.WriteLine(ReplayJson.Of(result, Notes(isInterrupted)));
+        if (json) Console.Out.WriteLine(ReplayJson.Of(result, Notes(isInterrupted), conditions));
         else Write(console => ReplayTable.Write(console, result), isInterrupted);
     }
 
@@ -128,12 +156,14 @@ static class ReplayVerb
     }
 
     /// <param name="report">Receives the number of finished events. Each event is replayed twice: for the objects, then for the joints.</param>
+    /// <param name="scored">Called for each joint of each scored frame; null if it is not needed.</param>
     internal static ReplayResult RunSession(
-        string path, RecordedSession session, ReplaySettings settings, Action<int> report, CancellationToken cancellation)
+        string path, RecordedSession session, ReplaySettings settings, Action<int> report, CancellationToken cancellation,
+        Action<ScoredValue> scored = null)
     {
         var bodies = new SessionBodies(session, settings).Run(report, cancellation);
-        var joints = new ReplayResult(path, settings.Predictor, 0, []);
-        var replay = new SessionReplay(path, session, new SessionTruth(session), settings);
+        var joints = new ReplayResult(path, settings.Predictor ?? session.Header.Prediction.Predictor, 0, []);
+        var replay = new SessionReplay(path, session, new SessionTruth(session), settings) { Scored = scored };
         try
         {
             joints = replay.Run(done => report(session.Events.Count + done), cancellation);
@@ -142,6 +172,6 @@ static class ReplayVerb
         {
             // Keeps the results of the objects, which are replayed first. A cell may have objects and no robot.
         }
-        return new ReplayResult(joints.File, joints.Predictor, joints.Frames, joints.Axes) { Bodies = bodies, Signals = session.Signals };
+        return joints with { Bodies = bodies, Signals = session.Signals };
     }
 }

@@ -24,15 +24,15 @@ sealed class SessionReplay
     readonly RecordedSession _session;
     readonly SessionTruth _truth;
     readonly ReplaySettings _settings;
+    readonly string _predictor;
     readonly RandomStream _stampErrors;
     readonly bool _followsPlans;
     readonly JointPredictor[] _joints;
     readonly JointRun[] _runs;
-    readonly AxisError[] _errors;
+    readonly ReplayErrors _errors;
     int _timeLine;
     ControlTime? _epoch;
     double _displayed = double.NaN;
-    int _frames;
 
     /// <param name="path">Path of the session file, for the result and for error messages.</param>
     /// <param name="truth">True joint positions of the session.</param>
@@ -45,36 +45,38 @@ sealed class SessionReplay
         _settings = settings;
         _stampErrors = new RandomStream(settings.Seed, 3);
         var prediction = PredictionOf(session.Header.Prediction, settings);
+        _predictor = prediction.Predictor;
         _followsPlans = prediction.FollowsPlans;
         _joints = [.. session.Header.Joints.Select(joint => prediction.Create(joint.BoundedBy(prediction)))];
         _runs = new JointRun[_joints.Length];
-        _errors = [.. _joints.Select(_ => new AxisError())];
+        _errors = new ReplayErrors(AxesOf(session));
     }
 
     /// <summary>Gets the prediction settings of a recording, with the predictor and blend of the replay.</summary>
     internal static PredictionSettings PredictionOf(PredictionSettings own, ReplaySettings settings) => new(
-        settings.Predictor, own.HorizonCap.TotalMilliseconds, own.MaximumGap.TotalMilliseconds,
+        settings.Predictor ?? own.Predictor, own.HorizonCap.TotalMilliseconds, own.MaximumGap.TotalMilliseconds,
         settings.Blend * 1000 ?? own.Blend.TotalMilliseconds, own.FollowPlan && settings.FollowPlan, own.SpeedShare,
         own.AccelerationLimit, own.JerkLimit);
 
     /// <summary>Called for each frame with the frame, one predicted position per joint, and the kinds of these predictions.</summary>
     public Action<RecordedSession.Event, double[], PredictionKind[]> Predicted { get; init; }
 
+    /// <summary>Gets the names of the joints, and their units.</summary>
+    public static IReadOnlyList<(string Name, string Unit)> AxesOf(RecordedSession session) =>
+        [.. session.Header.Joints.Select(joint => (joint.Name, joint.Unit))];
+
+    /// <summary>Called for each joint of each scored frame. The number of the frame is its index among all frames.</summary>
+    public Action<ScoredValue> Scored { get; init; }
+
     /// <summary>Whether at least one frame has been scored.</summary>
-    public bool HasScored => _frames > 0;
+    public bool HasScored => _errors.Frames > 0;
 
     /// <param name="report">Receives the number of finished events; null if it is not needed.</param>
     /// <exception cref="InputException">No frame could be scored.</exception>
     /// <exception cref="OperationCanceledException">The run was cancelled before a frame was scored.</exception>
-    public ReplayResult Run(Action<int> report = null, CancellationToken cancellation = default) =>
-        Run(0, _session.Events.Count, report, cancellation);
-
-    /// <param name="first">Index of the first event. Earlier events are ignored.</param>
-    /// <param name="end">End of the events, exclusive.</param>
-    /// <inheritdoc cref="Run(Action{int}, CancellationToken)"/>
-    public ReplayResult Run(int first, int end, Action<int> report = null, CancellationToken cancellation = default)
+    public ReplayResult Run(Action<int> report = null, CancellationToken cancellation = default)
     {
-        for (var i = first; i < end && !cancellation.IsCancellationRequested; i++)
+        for (var i = 0; i < _session.Events.Count && !cancellation.IsCancellationRequested; i++)
         {
             report?.Invoke(i);
             Play(_session.Events[i]);
@@ -84,9 +86,7 @@ sealed class SessionReplay
             cancellation.ThrowIfCancellationRequested();
             throw new InputException(NothingScored(_path));
         }
-        var axes = Enumerable.Range(0, _errors.Length).Where(i => _errors[i].Count > 0)
-            .Select(i => _errors[i].Summary(_session.Header.Joints[i].Name));
-        var result = new ReplayResult(_path, _settings.Predictor, _frames, [.. axes]);
+        var result = _errors.Result(_path, _predictor);
         return double.IsFinite(result.Rms + result.RmsHold)
             ? result : throw new InputException(ReplayMessages.TooLarge(_path));
     }
@@ -143,7 +143,6 @@ sealed class SessionReplay
     {
         _displayed = Seconds(frame.At) + _settings.LatencyError;
         var (positions, kinds) = Predicted == null ? default : (new double[_joints.Length], new PredictionKind[_joints.Length]);
-        var isScored = false;
         for (var joint = 0; joint < _joints.Length; joint++)
         {
             var prediction = _joints[joint].At(_displayed);
@@ -152,10 +151,12 @@ sealed class SessionReplay
             if (!_runs[joint].IsScoredAt(frame.At, _session.Header.Prediction.MaximumGap) || !known.TryAt(frame.At, out var truth)) continue;
             // The standard deviation describes the forecast. A plan replaces the forecast, so there is none.
             var deviation = prediction.Kind == PredictionKind.Planned ? double.NaN : _joints[joint].DeviationAt(_displayed);
-            _errors[joint].Add(known.Difference(_joints[joint].Hold, truth), known.Difference(prediction.Position, truth), deviation);
-            isScored = true;
+            double Near(double position) => truth + known.Difference(position, truth);
+            var value = new ScoredValue(
+                frame.First, frame.At.SinceEpoch.Ticks, joint, truth, Near(_joints[joint].Hold), Near(prediction.Position), deviation);
+            _errors.Add(value);
+            Scored?.Invoke(value);
         }
-        if (isScored) _frames++;
         Predicted?.Invoke(frame, positions, kinds);
     }
 

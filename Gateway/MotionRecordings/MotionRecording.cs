@@ -72,22 +72,6 @@ public sealed class MotionRecording
     /// <param name="joint">Index into <see cref="Names"/>.</param>
     public double[] PositionsOf(int joint) => [.. Enumerable.Range(0, _times.Length).Select(row => _positions[row * _names.Length + joint])];
 
-    /// <summary>Gets the rows between two times, both inclusive, as a new recording.</summary>
-    /// <param name="from">Time relative to <see cref="Start"/>, s.</param>
-    /// <param name="to">Time relative to <see cref="Start"/>, s.</param>
-    /// <returns>The recording; null if it would have fewer than two rows.</returns>
-    public MotionRecording Between(double from, double to)
-    {
-        var first = Array.FindIndex(_times, t => t >= from);
-        var last = Array.FindLastIndex(_times, t => t <= to);
-        if (first < 0 || last <= first) return null;
-        var times = _times[first..(last + 1)];
-        return new MotionRecording(
-            _names, Start + times[0], [.. times.Select(t => t - times[0])],
-            _positions[(first * _names.Length)..((last + 1) * _names.Length)])
-        { IsBody = IsBody, Source = Source };
-    }
-
     int FirstRowAfter(double seconds)
     {
         var found = Array.BinarySearch(_times, seconds);

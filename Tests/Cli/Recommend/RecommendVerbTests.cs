@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text;
 using System.Text.Json;
+using Nowpose.Cli;
 using Nowpose.Cli.Messages;
 using Nowpose.Cli.Recommend;
 using Nowpose.Gateway.Messages;
@@ -48,6 +49,8 @@ public class RecommendVerbTests
         Assert.That(candidates.Select(c => c.GetProperty("rms").GetDouble()), Is.Ordered);
         Assert.That(condition.GetProperty("sampling_ms").GetDouble(), Is.EqualTo(50));
         Assert.That(condition.GetProperty("latency_ms").GetDouble(), Is.EqualTo(100));
+        Assert.That((condition.GetProperty("fps").GetDouble(), condition.GetProperty("phases").GetInt32()), Is.EqualTo((60.0, 5)));
+        Assert.That(result.GetProperty("version").GetString(), Is.EqualTo(ProgramVersion.Text));
         Assert.That(Candidate(condition, "hold").GetProperty("reduction").GetDouble(), Is.EqualTo(0));
         Assert.That(condition.GetProperty("blend_cost").GetDouble(), Is.InRange(-0.05, 0.2));
         Assert.That(condition.GetProperty("blend_ms").GetDouble(), Is.EqualTo(condition.GetProperty("blend_cost").GetDouble() > 0.05 ? 0 : 14));
@@ -63,12 +66,23 @@ public class RecommendVerbTests
         using var half = new TemporaryFile(Motion(Swing, 10));
 
         var condition = (await JsonOf(file.Path, "--sampling-ms", "40")).GetProperty("conditions")[0];
-        var replay = await CliRun.OfAsync("replay", half.Path, "--sampling-ms", "40", "--predictor", "quadratic", "--json");
+        var replay = await CliRun.OfAsync("replay", half.Path, "--sampling-ms", "40", "--phases", "5", "--predictor", "quadratic", "--json");
 
         using var json = JsonDocument.Parse(replay.Output);
         var first = Candidate(condition, "quadratic").GetProperty("halves")[0];
         Assert.That(first.GetProperty("rms").GetDouble(), Is.EqualTo(json.RootElement.GetProperty("rms").GetDouble()).Within(1e-9));
         Assert.That(first.GetProperty("frames").GetInt32(), Is.EqualTo(json.RootElement.GetProperty("frames").GetInt32()));
+    }
+
+    [Test]
+    public async Task Recommend_RepeatedMotion_SecondHalfUsesWhatThePredictorHasLearned()
+    {
+        static double Cycle(double t) => Math.Pow(Math.Sin(Math.PI * t / 2), 5);
+        using var file = new TemporaryFile(Motion(Cycle));
+
+        var halves = Candidate((await JsonOf(file.Path)).GetProperty("conditions")[0], Predictors.Default).GetProperty("halves");
+
+        Assert.That(halves[1].GetProperty("rms").GetDouble(), Is.LessThan(0.3 * halves[0].GetProperty("rms").GetDouble()));
     }
 
     [Test]
@@ -145,8 +159,9 @@ public class RecommendVerbTests
 
     static readonly string[][] Unusable =
     [
-        ["t,a\n0,1\n0.3,2\n", RecommendMessages.TooFewRows("")],
-        ["t,a\n0,1\n0.1,2\n0.2,1\n0.3,2\n0.4,2\n", ReplayMessages.TooShort(0.2, 4 * 0.05 + 0.1 + 1 / 60.0)],
+        ["t,a\n0,1\n0.3,2\n", RecommendMessages.TooShort("")],
+        ["t,a\n0,1\n0.1,2\n0.2,1\n0.3,2\n0.4,2\n", RecommendMessages.TooShort("")],
+        ["t,a\n0,1\n0.1,2\n0.2,1\n", ReplayMessages.TooShort(0.2, 4 * 0.05 + 0.1 + 1 / 60.0)],
         ["t,a\n0,1\n0,2\n", ":3: " + MotionFileMessages.TimeOrder("t", "'0'")],
     ];
 

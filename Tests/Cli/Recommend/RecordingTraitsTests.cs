@@ -34,6 +34,9 @@ public class RecordingTraitsTests
     }
 
     [Test]
+    public void Warnings_AlmostLongEnough_AreEmpty() => Assert.That(Traits(Math.Sin, count: 1000).Warnings(), Is.Empty);
+
+    [Test]
     public void Warnings_NoMotion_ReportThatNoJointMoves()
     {
         var traits = Traits(t => 1 + 1e-6 * Math.Sin(t));
@@ -64,6 +67,16 @@ public class RecordingTraitsTests
         var traits = new RecordingTraits([new JointSeries("a", times, [.. times.Select(Math.Sin)])], samplingMs);
 
         Assert.That(traits.Warnings(), Is.EqualTo(warns ? new[] { ReplayMessages.CoarseRows(10, 9) } : []));
+    }
+
+    [Test]
+    public void Warnings_MotionWithAGap_StateIt()
+    {
+        var times = Enumerable.Range(0, 1201).Select(i => i * 0.01 + (i > 600 ? 2 : 0)).ToArray();
+
+        var traits = new RecordingTraits([new JointSeries("a", times, [.. times.Select(Math.Sin)])], samplingMs: 50);
+
+        Assert.That(traits.Warnings(), Is.EqualTo(new[] { ReplayMessages.Gaps(1, 2.01) }));
     }
 
     [Test]

@@ -62,7 +62,7 @@ public class BodyReplayTests
     {
         var result = await RunJson();
 
-        Assert.That(Keys(result), Is.EqualTo(new[] { "file", "predictor", "frames", "body" }));
+        Assert.That(Keys(result), Is.EqualTo(new[] { "file", "predictor", "frames", "body", "conditions" }));
         Assert.That(Keys(result.GetProperty("body")), Is.EqualTo(new[] { "error_mm", "error_deg" }));
         Assert.That(Keys(result.GetProperty("body").GetProperty("error_mm")), Is.EqualTo(new[] { "rms_hold", "rms", "p95" }));
         Assert.That(Keys(result.GetProperty("body").GetProperty("error_deg")), Is.EqualTo(new[] { "rms_hold", "rms", "p95" }));

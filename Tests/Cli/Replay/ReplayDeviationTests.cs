@@ -39,12 +39,18 @@ public class ReplayDeviationTests
         var axes = await Axes(_motion, "--predictor", "gp");
 
         Assert.That(axes[0].EnumerateObject().Select(property => property.Name),
-            Is.EqualTo(new[] { "name", "rms_hold", "rms", "p95", "max", "sd", "inside_1sd", "inside_2sd" }));
+            Is.EqualTo(new[]
+            {
+                "name", "rms_hold", "rms", "p95", "max", "sd", "inside_1sd", "inside_2sd", "sd_rms", "sd_frames", "moving_frames", "moving_inside_1sd",
+                "moving_inside_2sd",
+            }));
         foreach (var axis in axes)
         {
             Assert.That(axis.GetProperty("sd").GetDouble() / axis.GetProperty("rms").GetDouble(), Is.InRange(0.7, 1.3));
             Assert.That(axis.GetProperty("inside_1sd").GetDouble(), Is.InRange(0.4, axis.GetProperty("inside_2sd").GetDouble()));
             Assert.That(axis.GetProperty("inside_2sd").GetDouble(), Is.InRange(0.9, 1));
+            Assert.That(axis.GetProperty("sd_rms").GetDouble(), Is.GreaterThan(axis.GetProperty("sd").GetDouble()));
+            Assert.That(axis.GetProperty("moving_frames").GetInt32(), Is.InRange(1, axis.GetProperty("sd_frames").GetInt32()));
         }
         Assert.That(axes[1].GetProperty("sd").GetDouble(), Is.EqualTo(10 * axes[0].GetProperty("sd").GetDouble()).Within(0.1).Percent);
     }
@@ -97,6 +103,15 @@ public class ReplayDeviationTests
         var errors = new AxisError();
         foreach (var (error, deviation) in new[] { (-0.5, 1.0), (1.5, 1), (2, 1), (-7, 2), (9, double.NaN) }) errors.Add(0, error, deviation);
 
-        Assert.That(errors.Summary("a").Deviation, Is.EqualTo(new ReplayResult.Deviation(1.25, 0.25, 0.75)));
+        Assert.That(errors.Summary("a").Deviation, Is.EqualTo(new ReplayResult.Deviation(1.25, Math.Sqrt(7 / 4.0), new(4, 0.25, 0.75), default)));
+    }
+
+    [Test]
+    public void Summary_FramesInWhichHoldHasAnError_AreCountedAsMoving()
+    {
+        var errors = new AxisError();
+        foreach (var (held, error) in new[] { (0.002, 1.5), (-0.002, -0.5), (0.0009, 0), (0, 0) }) errors.Add(held, error, 1);
+
+        Assert.That(errors.Summary("a").Deviation, Is.EqualTo(new ReplayResult.Deviation(1, 1, new(4, 0.75, 1), new(2, 0.5, 1))));
     }
 }

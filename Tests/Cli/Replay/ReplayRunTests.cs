@@ -158,6 +158,18 @@ public class ReplayRunTests
     }
 
     [Test]
+    public void Run_SeveralPhases_FramesHaveAllAgesOfTheNewestSample()
+    {
+        ReplayResult Of(int phases) => Replay(Ramp(60), new ReplaySettings { Predictor = "hold", Phases = phases });
+
+        // With one phase, three frames are 0, 1/60 and 2/60 s later than the newest sample, which is 0.1 s old on arrival.
+        static double Rms(int ages, double step) => Math.Sqrt(Enumerable.Range(0, ages).Average(n => Math.Pow(0.1 + n * step, 2)));
+        Assert.That(Of(1).RmsHold, Is.EqualTo(Rms(3, 1 / 60.0)).Within(1e-4));
+        Assert.That(Of(10).RmsHold, Is.EqualTo(Rms(30, 1 / 600.0)).Within(1e-4));
+        Assert.That(Of(10).Frames, Is.EqualTo(10 * Of(1).Frames).Within(10));
+    }
+
+    [Test]
     public void Run_RampWithStampErrors_LineAmplifiesTheErrorsByItsGain()
     {
         const double halfWidth = 0.001;

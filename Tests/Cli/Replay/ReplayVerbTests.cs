@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Nowpose.Cli;
 using Nowpose.Cli.Messages;
 using Nowpose.Cli.Replay;
 using Nowpose.Gateway.Messages;
@@ -54,13 +55,49 @@ public class ReplayVerbTests
     {
         var result = await RunJson();
 
-        Assert.That(Keys(result), Is.EqualTo(new[] { "file", "predictor", "frames", "axes", "rms_hold", "rms", "reduction" }));
+        Assert.That(Keys(result), Is.EqualTo(new[] { "file", "predictor", "frames", "axes", "rms_hold", "rms", "reduction", "mean_reduction", "conditions" }));
         Assert.That(Keys(result.GetProperty("axes")[1]), Is.EqualTo(new[] { "name", "rms_hold", "rms", "p95", "max" }));
         Assert.That(result.GetProperty("axes").EnumerateArray().Select(axis => axis.GetProperty("name").GetString()),
             Is.EqualTo(new[] { "q1", "q2" }));
         Assert.That(result.GetProperty("file").GetString(), Is.EqualTo(_file));
         Assert.That(result.GetProperty("predictor").GetString(), Is.EqualTo("adaptive"));
         Assert.That(result.GetProperty("reduction").GetDouble(), Is.GreaterThan(0.9));
+    }
+
+    [Test]
+    public async Task Replay_MotionAsJson_StatesTheConditions()
+    {
+        var conditions = (await RunJson("--phases", "4", "--latency-ms", "90", "--stamp-error-ms", "2", "--seed", "7")).GetProperty("conditions");
+
+        Assert.That(Keys(conditions), Is.EqualTo(new[]
+        {
+            "version", "predictor", "sampling_ms", "latency_ms", "fps", "phases", "latency_error_ms", "stamp_error_ms", "jitter_ms", "loss", "blend_ms", "seed",
+        }));
+        Assert.That(
+            new[] { "phases", "latency_ms", "stamp_error_ms", "seed", "fps" }.Select(key => conditions.GetProperty(key).GetDouble()),
+            Is.EqualTo(new[] { 4, 90, 2, 7, 60 }));
+        Assert.That(conditions.GetProperty("version").GetString(), Is.EqualTo(ProgramVersion.Text));
+    }
+
+    [Test]
+    public async Task Replay_Phases_ResultIsThatOfAllPasses()
+    {
+        var result = await RunJson("--phases", "5", "--predictor", "linear");
+
+        var phases = result.GetProperty("phases").EnumerateArray().Select(phase => phase.GetProperty("rms").GetDouble()).ToList();
+        Assert.That(phases, Has.Count.EqualTo(5).And.Unique);
+        Assert.That(phases[0], Is.EqualTo((await RunJson("--predictor", "linear")).GetProperty("rms").GetDouble()).Within(1e-12), "the first phase is that of the default");
+        Assert.That(result.GetProperty("rms").GetDouble(), Is.InRange(phases.Min(), phases.Max()));
+    }
+
+    [Test]
+    public void MeanReduction_AxesWithErrorsOfDifferentSize_HaveEqualWeights()
+    {
+        static ReplayResult.Axis Axis(double hold, double rms) => new("a", new ErrorComparison(hold, rms, rms, rms));
+
+        var result = new ReplayResult("f", "hold", 1, [Axis(2, 1), Axis(0.01, 0.002), Axis(0, 0)]);
+
+        Assert.That(result.MeanReduction, Is.EqualTo((0.5 + 0.8) / 2).Within(1e-12));
     }
 
     [Test]
@@ -163,6 +200,7 @@ public class ReplayVerbTests
     [TestCase("--jitter-ms", "-1", "0 to 10000 ms")]
     [TestCase("--loss", "1.1", "0 to 1")]
     [TestCase("--loss", "-0.1", "0 to 1")]
+    [TestCase("--phases", "0", "1 to 1000")]
     [TestCase("--seed", "1.5", "")]
     [TestCase("--predictor", "quartic", "hold, linear, quadratic, cubic")]
     [TestCase("--window", "3", "--window")]

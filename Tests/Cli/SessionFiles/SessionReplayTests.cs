@@ -141,6 +141,17 @@ public class SessionReplayTests : SessionReplayFixture
     }
 
     [Test]
+    public async Task Replay_SessionWithoutOption_UsesThePredictorOfTheSession()
+    {
+        VirtualRecording.To(_path, predictor: "linear");
+
+        var run = await Run("replay", _path, "--json");
+
+        using var json = JsonDocument.Parse(run.Output);
+        Assert.That(json.RootElement.GetProperty("predictor").GetString(), Is.EqualTo("linear"));
+    }
+
+    [Test]
     public async Task Json_Session_HasTheSameKeysAsForAMotion()
     {
         VirtualRecording.To(_path);
@@ -150,7 +161,7 @@ public class SessionReplayTests : SessionReplayFixture
         using var json = JsonDocument.Parse(run.Output);
         Assert.That(
             json.RootElement.EnumerateObject().Select(p => p.Name),
-            Is.EqualTo(new[] { "file", "predictor", "frames", "axes", "rms_hold", "rms", "reduction" }));
+            Is.EqualTo(new[] { "file", "predictor", "frames", "axes", "rms_hold", "rms", "reduction", "mean_reduction", "conditions" }));
         Assert.That(json.RootElement.GetProperty("reduction").GetDouble(), Is.EqualTo(0));
         Assert.That(json.RootElement.GetProperty("frames").GetInt32(), Is.InRange(900, 1200));
         Assert.That(json.RootElement.GetProperty("axes")[0].GetProperty("name").GetString(), Is.EqualTo("arm_joint_1"));
@@ -159,6 +170,7 @@ public class SessionReplayTests : SessionReplayFixture
     [TestCase("--sampling-ms=50")]
     [TestCase("--latency-ms=100")]
     [TestCase("--fps=60")]
+    [TestCase("--phases=2")]
     [TestCase("--jitter-ms=0")]
     [TestCase("--loss=0")]
     public async Task Option_FixedByTheRecording_IsRefused(string option)

@@ -1,0 +1,38 @@
+namespace Nowpose.Cli.Replay;
+
+/// <summary>Collects the errors of all axes over the scored frames of a replay.</summary>
+/// <param name="axes">Names of the axes, and their units, which are null if unknown.</param>
+sealed class ReplayErrors(IReadOnlyList<(string Name, string Unit)> axes)
+{
+    readonly AxisError[] _axes = [.. axes.Select(_ => new AxisError())];
+    long _frame = -1;
+
+    /// <summary>Number of frames with at least one scored axis.</summary>
+    public int Frames { get; private set; }
+
+    public void Add(in ScoredValue value)
+    {
+        if (value.Frame != _frame) Frames++;
+        _frame = value.Frame;
+        _axes[value.Axis].Add(value.HoldError, value.Error, value.Deviation);
+    }
+
+    /// <summary>Gets the errors of all axes that were scored.</summary>
+    public ReplayResult Result(string path, string predictor) => new(
+        path, predictor, Frames, [.. _axes.Zip(axes).Where(axis => axis.First.Count > 0).Select(axis => axis.First.Summary(axis.Second.Name))]);
+}
+
+/// <summary>The values of one axis in one scored frame, in the unit of the axis.</summary>
+/// <param name="Frame">Number of the frame, which increases.</param>
+/// <param name="Ticks">Display time, 100 ns: since the first row of a motion, or the control time of a session.</param>
+/// <param name="Axis">Index of the axis.</param>
+/// <param name="Held">
+/// The newest sample that has arrived. For a continuous joint of a session, it and <paramref name="Predicted"/> are within half a turn of the truth.
+/// </param>
+/// <param name="Deviation">Standard deviation that the predictor states; NaN if unknown.</param>
+readonly record struct ScoredValue(long Frame, long Ticks, int Axis, double Truth, double Held, double Predicted, double Deviation)
+{
+    public double HoldError => Held - Truth;
+
+    public double Error => Predicted - Truth;
+}
