@@ -3,6 +3,8 @@ namespace Nowpose.Cli.Messages;
 /// <summary>The paper's claims as criteria of <c>demo --paper</c>, and reasons for missing results.</summary>
 static class PaperClaimTexts
 {
+    public static string Clipped(string mean, string low, string high) => $"{mean} ({low} to {high})";
+
     public const string Offset = "The offset is known to within 1 ms: P95 of its true error over all frames from 10 s on.";
     public const string Skew =
         "The skew converges: its RMS error over the last quarter of the run is less than half of its RMS error from 2 to 10 s.";

@@ -13,6 +13,13 @@ namespace Nowpose.Cli.Demo.Paper;
 /// <param name="Holds">Whether the criterion is met for the mean and for its complete confidence interval.</param>
 sealed record PaperClaim(string Figure, string Claim, double? Paper, double? Measured, double? Uncertainty, string Unit, bool Holds)
 {
+    /// <summary>The measured value of each complete repeat; null for a repeat without a value.</summary>
+    public IReadOnlyList<double?> Repeats { get; init; } = [];
+
+    /// <summary>Whether the value is a part of a whole, so that it lies between 0 and 1.</summary>
+    [JsonIgnore]
+    public bool IsPart { get; init; }
+
     /// <summary>Reason why some or all of the repeats have no value; null if all have one.</summary>
     public string NotMeasured { get; init; }
 
@@ -23,7 +30,7 @@ sealed record PaperClaim(string Figure, string Claim, double? Paper, double? Mea
     /// <summary>Text of the measured value with its unit and uncertainty.</summary>
     [JsonIgnore]
     public string MeasuredText => Measured is not double value ? NotMeasured
-        : (Uncertainty is double half ? $"{Text(value)} ± {Text(half)}" : Text(value)) + (NotMeasured == null ? "" : $" ({NotMeasured})");
+        : (Uncertainty is double half ? Interval(value, half) : Text(value)) + (NotMeasured == null ? "" : $" ({NotMeasured})");
 
     /// <summary>Text of the verdict.</summary>
     public string Verdict => (Measured == null ? Figures.Model.Verdict.NotMeasured
@@ -33,6 +40,11 @@ sealed record PaperClaim(string Figure, string Claim, double? Paper, double? Mea
     /// <summary>Text of the paper's value with its unit; empty if the paper gives none.</summary>
     [JsonIgnore]
     public string PaperText => Paper is double value ? Text(value) : "";
+
+    // A part of a whole is between 0 and 1, so its interval is, too.
+    string Interval(double value, double half) => IsPart && (value - half < 0 || value + half > 1)
+        ? PaperClaimTexts.Clipped(Text(value), Text(Math.Max(0, value - half)), Text(Math.Min(1, value + half)))
+        : $"{Text(value)} ± {Text(half)}";
 
     string Text(double value) => Unit == "ms" ? Figures.Numbers.Text(value) + " ms" : Figures.Numbers.Percent(value);
 }

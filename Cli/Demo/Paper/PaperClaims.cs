@@ -14,7 +14,7 @@ static class PaperClaims
 
     static readonly PaperRule[] Rules =
     [
-        new("8", FitErrors.Claim, 1, Share, m => m.Clock?.FitShare, share => share >= FitErrors.MinShare),
+        new("8", FitErrors.Claim, 1, Share, m => m.Clock?.FitShare, share => share >= FitErrors.MinShare) { IsPart = true },
         new("8", PaperClaimTexts.Offset, null, Ms,
             m => m.Clock?.OffsetErrorMs, ms => ms < 1),
         new("8", PaperClaimTexts.Skew, null, Share,
@@ -25,7 +25,7 @@ static class PaperClaims
         GapAt(0, "A"), GapAt(1, "B"), GapAt(2, "C"),
         new("18", PaperClaimTexts.Latency, 4, Ms, m => m.LightErrorMs, ms => ms < 4),
         OfSwings("18", PaperClaimTexts.Reduction, 0.8,
-            swings => swings.Reduction, reduction => reduction >= 0.75),
+            swings => swings.Reduction, reduction => reduction >= 0.75) with { IsPart = true },
         OfSwings("18", PaperClaimTexts.EffectiveLatency, null,
             swings => swings.LatencyRatio, ratio => ratio < 1 / 3.0),
     ];
@@ -38,12 +38,12 @@ static class PaperClaims
 
     static PaperClaim Judge(PaperRule rule, IReadOnlyList<PaperMeasures> repeats)
     {
-        var measured = repeats.Select(rule.Measure).Where(value => value is double number && double.IsFinite(number));
-        double[] values = [.. measured.Select(value => value.Value)];
+        double?[] measured = [.. repeats.Select(rule.Measure).Select(value => value is double number && double.IsFinite(number) ? value : null)];
+        double[] values = [.. measured.OfType<double>()];
         if (values.Length == 0)
         {
             var reason = $"{Verdict.NotMeasured.Words()}: {ReasonOf(rule, repeats)}";
-            return new(rule.Figure, rule.Claim, rule.Paper, null, null, rule.Unit, false) { NotMeasured = reason };
+            return new(rule.Figure, rule.Claim, rule.Paper, null, null, rule.Unit, false) { NotMeasured = reason, Repeats = measured };
         }
         var mean = values.Average();
         double? uncertainty = values.Length < 2 ? null
@@ -52,6 +52,8 @@ static class PaperClaims
         bool isMetBelow = rule.IsMet(mean - (uncertainty ?? 0)), isMetAbove = rule.IsMet(mean + (uncertainty ?? 0));
         return new(rule.Figure, rule.Claim, rule.Paper, mean, uncertainty, rule.Unit, isMetBelow && isMetAbove)
         {
+            Repeats = measured,
+            IsPart = rule.IsPart,
             IsUndecided = isMetBelow != isMetAbove,
             NotMeasured = values.Length == repeats.Count ? null
                 : PaperClaimTexts.NotInAll(values.Length, repeats.Count, ReasonOf(rule, repeats)),
@@ -79,4 +81,7 @@ sealed record PaperRule(string Figure, string Claim, double? Paper, string Unit,
 {
     /// <summary>Whether the value is measured over whole swings.</summary>
     public bool NeedsSwings { get; init; }
+
+    /// <inheritdoc cref="PaperClaim.IsPart"/>
+    public bool IsPart { get; init; }
 }

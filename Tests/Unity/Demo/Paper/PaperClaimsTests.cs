@@ -120,5 +120,17 @@ public class PaperClaimsTests
         Assert.That(claim.Measured, Is.EqualTo(2).Within(1e-12));
         Assert.That(claim.Uncertainty, Is.EqualTo(4.3027 * 1 / Math.Sqrt(3)).Within(1e-3), "Student's t for two degrees of freedom");
         Assert.That(claim.MeasuredText, Is.EqualTo("2 ms ± 2.48 ms"));
+        Assert.That(claim.Repeats, Is.EqualTo(new[] { 1.0, 2, 3 }));
+    }
+
+    [Test]
+    public void Claims_IntervalOfAShareBeyond100Percent_IsClipped()
+    {
+        var repeats = new[] { 0.6, 0.75, 0.87 }.Select(share => Good with { Clock = Good.Clock with { FitShare = share } }).ToList();
+
+        var claim = PaperClaims.Of(repeats)[0];
+
+        Assert.That(claim.Uncertainty, Is.EqualTo(0.336).Within(1e-3));
+        Assert.That(claim.MeasuredText, Is.EqualTo("74 % (40.4 % to 100 %)"));
     }
 }

@@ -33,7 +33,7 @@ public class PaperVerbTests
         Assert.That(profile.GetProperty("limit_render_ms").GetDouble(), Is.EqualTo(limitMs).Within(1));
         var claims = Json("result.json").GetProperty("claims").EnumerateArray().ToList();
         Assert.That(claims.Select(claim => string.Join(' ', claim.EnumerateObject().Select(each => each.Name))), Is.All.EqualTo(
-            "figure claim paper measured uncertainty unit holds not_measured verdict"));
+            "figure claim paper measured uncertainty unit holds repeats not_measured verdict"));
         // The numbers are not checked, because they depend on the load of this machine. On a busy one, the clock may not be synchronised in time.
         Assert.That(claims, Is.Not.Empty.And.All.Matches<JsonElement>(claim =>
             claim.GetProperty("measured").ValueKind == JsonValueKind.Number || claim.GetProperty("not_measured").ValueKind == JsonValueKind.String));
