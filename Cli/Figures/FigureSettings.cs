@@ -1,3 +1,4 @@
+using Nowpose.Cli.Figures.Sweeps;
 using Nowpose.Cli.Studies;
 using Nowpose.Latency;
 using Nowpose.Prediction;
@@ -26,6 +27,9 @@ sealed record FigureSettings
     /// <summary>Duration of the paper's swing in the sweeps, s.</summary>
     public double SwingSeconds { get; init; } = 12;
 
+    /// <summary>Limits of the swing in the sweeps.</summary>
+    public MotionLimits Limits { get; init; } = MotionLimits.Default;
+
     /// <summary>Duration of the random moves in the sweeps, s.</summary>
     public double RandomSeconds { get; init; } = 30;
 
@@ -37,8 +41,13 @@ sealed record FigureSettings
     /// <summary>Profile of the display for the swing. If null, the profile is measured.</summary>
     public LatencyProfile Profile { get; init; }
 
-    /// <summary>Nowpose's predictors that the sweeps compare with the paper's: all or some of <see cref="OurPredictors"/>.</summary>
+    /// <summary>Nowpose's predictors that the sweeps compare with the paper's: all or some of <see cref="OurPredictors"/>, or others.</summary>
     public IReadOnlyList<string> Ours { get; init; } = OurPredictors;
+
+    /// <summary>Gets <see cref="OurPredictors"/> with a further predictor, unless the sweeps contain it anyway.</summary>
+    /// <param name="predictor">Name of the predictor; null for none.</param>
+    public static IReadOnlyList<string> With(string predictor) =>
+        predictor == null ? OurPredictors : [.. OurPredictors.Append(predictor).Except([.. SweepStudy.OfThePaper, Predictors.Hold])];
 
     /// <summary>The paper's conditions: T_s 50 ms, L 100 ms, 60 frames per second.</summary>
     public StudySettings Study => new() { Phases = Phases, Seed = Seed };

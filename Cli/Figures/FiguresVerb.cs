@@ -14,17 +14,23 @@ static class FiguresVerb
         var output = TextOption.Create("--out", "Folder for figures.html and one CSV per figure", standard: "nowpose-figures");
         var quick = SwitchOption.Create("--quick", "Compute a quarter of the runs, in less than a minute and with slightly less accurate results");
         var seed = NumberOption.Create("--seed", "Seed of the random numbers", FigureSettings.Full.Seed, 0, 1_000_000, "");
+        var limits = MotionLimits.Option();
+        var predictor = PredictorOption.Create(FigurePageTexts.FurtherPredictor, standard: null);
         var pictures = TextOption.Create("--pictures", "Folder for the pictures of the documentation, as SVG");
         var open = Browser.Option();
         var verb = new Command("figures", "Recompute the paper's figures: data as CSV, and one HTML page with the paper's claims beside our results.")
         {
-            output, quick, seed, pictures, open,
+            output, quick, seed, limits, predictor, pictures, open,
+        };
+        FigureSettings SettingsOf(ParseResult parsed) => (parsed.GetValue(quick) ? FigureSettings.Quick : FigureSettings.Full) with
+        {
+            Seed = parsed.GetValue(seed),
+            Limits = parsed.GetValue(limits),
+            Ours = FigureSettings.With(parsed.GetValue(predictor)),
         };
         // Runs on a separate thread, so that Ctrl-C can request a partial result and wait for it.
         verb.SetAction((parsed, cancel) => Task.Run(
-            () => Run(
-                (parsed.GetValue(quick) ? FigureSettings.Quick : FigureSettings.Full) with { Seed = parsed.GetValue(seed) }, parsed.GetValue(output),
-                parsed.GetValue(pictures), cancel, parsed.GetValue(open)),
+            () => Run(SettingsOf(parsed), parsed.GetValue(output), parsed.GetValue(pictures), cancel, parsed.GetValue(open)),
             CancellationToken.None));
         return verb;
     }

@@ -9,7 +9,7 @@ static class Figure13Texts
         "Over large parts of the range of T_s the quadratic predicts best, and the cubic is more sensitive to a longer T_s.";
 
     public const string QuadraticBest = "The quadratic is the best of the three at every T_s of 50 ms or more.";
-    public const string QuadraticBestBelow = "The quadratic is also the best below 50 ms.";
+    public const string QuadraticBestBelow = "The quadratic is also the best below 50 ms. (The paper does not claim this.)";
 
     public static string CubicBetter(string values) => $"the cubic is better at {values}";
 

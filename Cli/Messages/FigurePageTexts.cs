@@ -16,11 +16,13 @@ static class FigurePageTexts
     public const string Motion = "Motion of Figs 12 to 14";
 
     public const string MotionValue =
-        "500 mm forward and back, 1000 mm/s, 5000 mm/s², 50 000 mm/s³, 0.4 s dwell; we chose the limits, because the paper states none";
+        "500 mm forward and back, 1000 mm/s, 5000 mm/s², 50 000 mm/s³ (Figs 13 and 14: --limits), 0.4 s dwell; we chose the limits, "
+        + "because the paper states none";
 
     public static string Runs(int phases, int clockRuns, string clockSeconds) =>
         $"{phases} with random phases of sampling and frames; clock: {clockRuns} runs of {clockSeconds} s each";
 
+    public const string FurtherPredictor = ", compared with the paper's in Figs 13 and 14 in addition to adaptive and gp";
     public const string Rms = "RMS over all frames of all runs; ratio: divided by the RMS of hold, the newest sample that has arrived";
     public const string VirtualTime = "virtual time, the same on every machine";
 }

@@ -12,10 +12,12 @@ public static class Motions
     internal static SevenPhaseProfile PaperMove { get; } = new(500, 1000, 5000, 50_000);
 
     /// <summary>Repeats <see cref="PaperMove"/> forward and backward endlessly, with dwells of 0.4 s.</summary>
-    public static AxisMotion PaperSwing(double seconds = 12)
+    public static AxisMotion PaperSwing(double seconds = 12) => Swing(PaperMove, seconds);
+
+    /// <summary>Repeats a move of 500 mm forward and backward endlessly, with dwells of 0.4 s.</summary>
+    internal static AxisMotion Swing(SevenPhaseProfile move, double seconds)
     {
         const double dwell = 0.4;
-        var move = PaperMove;
         var half = move.Duration + dwell;
         return new AxisMotion("paper's swing", seconds, t =>
         {

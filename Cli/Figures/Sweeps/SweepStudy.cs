@@ -10,9 +10,10 @@ sealed class SweepStudy : IFigureStudy
     /// <summary>Seed of the random moves, none of which repeats.</summary>
     const int RandomMovesSeed = 1301;
 
-    static readonly string[] OfThePaper = ["linear", "quadratic", "cubic", "quadratic-h3", "quadratic-h4"];
+    public static readonly string[] OfThePaper = ["linear", "quadratic", "cubic", "quadratic-h3", "quadratic-h4"];
 
     readonly IReadOnlyList<string> _ours;
+    readonly MotionLimits _limits;
     readonly SweepAxis _axis;
     readonly SweepClaims[] _claims;
     readonly PredictionSweep _swing;
@@ -21,9 +22,10 @@ sealed class SweepStudy : IFigureStudy
     public SweepStudy(FigureSettings settings, SweepAxis axis, params SweepClaims[] claims)
     {
         _ours = settings.Ours;
+        _limits = settings.Limits;
         _axis = axis;
         _claims = claims;
-        _swing = new PredictionSweep(axis, settings, Motions.PaperSwing(settings.SwingSeconds), [.. OfThePaper, .. _ours]);
+        _swing = new PredictionSweep(axis, settings, Motions.Swing(settings.Limits.Move(), settings.SwingSeconds), [.. OfThePaper, .. _ours]);
         _random = new PredictionSweep(axis, settings, Motions.FastMoves(RandomMovesSeed, settings.RandomSeconds),
             ["quadratic", .. _ours]);
         Work = [.. _swing.Work, .. _random.Work];
@@ -53,7 +55,7 @@ sealed class SweepStudy : IFigureStudy
             Claim = claims.Claim,
             Criteria = claims.Criteria(swing),
             Beyond = _ours.Count == 0 ? null : Beyond(claims, swing, random),
-            Conditions = SweepFigureTexts.Conditions(_axis.Column.Label),
+            Conditions = SweepFigureTexts.Conditions(_axis.Column.Label, _limits.Velocity, _limits.Acceleration, _limits.Jerk),
             Table = TableOf(shown, swing, random),
             Plots = [new FigurePlot("RMS error", _axis.Column, new FigureColumn("RMS error", "mm"),
                 [.. shown.Select(name => new PlotTrace(name, Looks.Of(name), swing.Values, [.. swing.RmsMm(name)]) { Marked = true })]) { FromZero = true }],

@@ -94,6 +94,9 @@ public partial class FiguresVerbTests
     [TestCase("--out", "/dev/null/x", "--out: /dev/null/x: cannot be written")]
     [TestCase("--pictures", "/dev/null/x", "--pictures: /dev/null/x: cannot be written")]
     [TestCase("--phases", "3", "'--phases' is unknown")]
+    [TestCase("--limits", "1000,5000", "--limits")]
+    [TestCase("--limits", "1000,5000,0", "--limits")]
+    [TestCase("--predictor", "quartic", "--predictor")]
     public async Task Figures_InvalidOption_PrintsOneLineAndExitsWith2(string option, string value, string named)
     {
         var arguments = option == "--out" ? new[] { "figures", option, value } : ["figures", "--out", _folder, option, value];
@@ -114,6 +117,15 @@ public partial class FiguresVerbTests
             Assert.That(settings.Phases, Is.GreaterThanOrEqualTo(8));
             Assert.That(new FigureRun(FigureSet.Studies(settings, default)).Total, Is.GreaterThan(300));
         }
+    }
+
+    [Test]
+    public void With_FurtherPredictor_IsComparedOnce()
+    {
+        Assert.That(FigureSettings.With(null), Is.EqualTo(FigureSettings.OurPredictors));
+        Assert.That(FigureSettings.With("linear-h4"), Is.EqualTo(FigureSettings.OurPredictors.Append("linear-h4")));
+        foreach (var known in new[] { "adaptive", "quadratic", "hold" })
+            Assert.That(FigureSettings.With(known), Is.EqualTo(FigureSettings.OurPredictors), known);
     }
 
     [Test]

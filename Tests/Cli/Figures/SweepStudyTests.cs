@@ -46,6 +46,19 @@ public class SweepStudyTests
         Assert.That(Ratio(number, at, "cubic"), Is.EqualTo(cubic).Within(Tolerance * Math.Max(1, 2 * cubic)), Seed);
     }
 
+    [Test]
+    public void Figure13_SofterLimits_ReduceTheErrorOfTheCubicMost()
+    {
+        var soft = SweepStudy.All(Settings with { Limits = new(1000, 2500, 12_500), Phases = 4 }).First();
+        Parallel.ForEach(soft.Work, work => work());
+
+        var figure = soft.Figures().First();
+
+        Assert.That(Ratio(figure, 50, "cubic"), Is.LessThan(Ratio(figure, 50, "quadratic")), Seed);
+        Assert.That(Ratio("13a", 50, "cubic"), Is.GreaterThan(Ratio("13a", 50, "quadratic")), Seed);
+        Assert.That(figure.Conditions, Is.EqualTo(SweepFigureTexts.Conditions(figure.Table.Columns[0].Label, 1000, 2500, 12_500)));
+    }
+
     [TestCase("14a", 10, .113, .126)]
     [TestCase("14a", 50, .328, .404)]
     [TestCase("14a", 100, .604, .743)]
@@ -87,12 +100,16 @@ public class SweepStudyTests
 
     static string Seed => $"seed {Settings.Seed}";
 
-    static double Ratio(string number, double at, string predictor) =>
-        Column(number, $"{predictor} ratio")[Array.IndexOf(Column(number, Figures[number].Table.Columns[0].Label), at)];
+    static double Ratio(string number, double at, string predictor) => Ratio(Figures[number], at, predictor);
 
-    static double[] Column(string number, string label)
+    static double Ratio(Figure figure, double at, string predictor) =>
+        Column(figure, $"{predictor} ratio")[Array.IndexOf(Column(figure, figure.Table.Columns[0].Label), at)];
+
+    static double[] Column(string number, string label) => Column(Figures[number], label);
+
+    static double[] Column(Figure figure, string label)
     {
-        var table = Figures[number].Table;
+        var table = figure.Table;
         var column = table.Columns.Select(c => c.Label).ToList().IndexOf(label);
         return [.. table.Rows.Select(row => row[column].Value)];
     }
