@@ -1,4 +1,5 @@
 using System.CommandLine;
+using MathNet.Numerics.Statistics;
 using Nowpose.Benchmarks.Comparison;
 using Nowpose.Gateway.Options;
 using Nowpose.Prediction;
@@ -19,10 +20,16 @@ static class AblationVerb
     public static Command Create()
     {
         var recordings = Recordings();
-        var command = new Command("ablation", "Compare the errors of the default predictor with and without each of its parts, in virtual time") { recordings };
+        var heldOut = NumberOption.CreateOptional("--held-out",
+            "Number of sets of three seeds with which nothing was selected. Only the errors of the whole predictor are then computed", 2, 100, "");
+        var command = new Command("ablation", "Compare the errors of the default predictor with and without each of its parts, in virtual time")
+        {
+            recordings, heldOut,
+        };
         command.SetAction((parsed, stop) =>
         {
-            Write(parsed.GetValue(recordings)?.FullName, stop);
+            if (parsed.GetValue(heldOut) is int sets) WriteHeldOut(sets, stop);
+            else Write(parsed.GetValue(recordings)?.FullName, stop);
             return Task.FromResult(ExitStatus.Done);
         });
         return command;
@@ -52,6 +59,27 @@ static class AblationVerb
         Console.WriteLine();
         Console.WriteLine("RMS error divided by that of the whole predictor: geometric mean and (maximum).");
         for (var i = 0; i < groups.Count; i++) WriteRuns(groups[i], whole[i]);
+    }
+
+    static void WriteHeldOut(int sets, CancellationToken stop)
+    {
+        var ratios = new List<double[]>();
+        IReadOnlyList<string> names = [];
+        foreach (var group in AblationGroup.HeldOut(sets))
+        {
+            stop.ThrowIfCancellationRequested();
+            names = group.Names;
+            ratios.Add([.. group.Errors(Predictors.Default).Zip(group.MinFixedErrors(), (error, of) => error / of)]);
+        }
+        var table = new MarkdownTable(Console.Out, "held-out seeds", "adaptive ÷ best fixed, mean ± standard deviation of the sets");
+        for (var i = 0; i < names.Count; i++) table.Add($"{names[i]} | {MeanAndDeviation(ratios.Select(set => set[i]))}");
+        table.Add($"mean | {MeanAndDeviation(ratios.Select(set => set.Average()))}");
+    }
+
+    static string MeanAndDeviation(IEnumerable<double> values)
+    {
+        var (mean, deviation) = values.MeanStandardDeviation();
+        return FormattableString.Invariant($"{mean:0.00} ± {deviation:0.00}");
     }
 
     static void WriteRuns(AblationGroup group, double[] whole)
