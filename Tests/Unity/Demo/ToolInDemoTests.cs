@@ -19,4 +19,18 @@ public class ToolInDemoTests
         Assert.That(tool.ReductionFirstCycle, Is.GreaterThan(minFirst));
         Assert.That(tool.ReductionRepeated, Is.GreaterThan(minRepeated));
     }
+
+    // The numbers of the README: the paper's predictor learns nothing from earlier cycles.
+    [TestCase("wifi", 78)]
+    [TestCase("wifi", 101)]
+    public void Reduction_PapersPredictor_IsThatOfEachCycle(string network, int seed)
+    {
+        var tool = new DemoScore(VirtualStage.Play(VirtualDemo.Settings(60, network, seed, "quadratic"), hasScene: false)).Result().ToolErrorMm;
+
+        var message = FormattableString.Invariant(
+            $"{tool.HoldRms:0.0} to {tool.Rms:0.0} mm, {tool.Reduction:P1}, {tool.ReductionFirstCycle:P1}, {tool.ReductionRepeated:P1}, seed {seed}");
+        TestContext.Out.WriteLine(message);
+        Assert.That(tool.Reduction, Is.InRange(0.87, 0.93), message);
+        Assert.That(tool.ReductionRepeated, Is.EqualTo(tool.ReductionFirstCycle).Within(0.03), message);
+    }
 }
