@@ -6,6 +6,12 @@ namespace Nowpose.Cli.Unity;
 /// <summary>A folder with a Unity project.</summary>
 sealed class UnityProject
 {
+    // A link may lead to a folder above it.
+    static readonly EnumerationOptions Below = new()
+    {
+        RecurseSubdirectories = true, IgnoreInaccessible = true, AttributesToSkip = FileAttributes.ReparsePoint,
+    };
+
     UnityProject(string root, UnityVersion version)
     {
         Root = root;
@@ -39,13 +45,16 @@ sealed class UnityProject
     /// <summary>Gets whether a package is embedded in the project. The manifest has no effect on an embedded package.</summary>
     public bool Embeds(string package) => File.Exists(Path.Combine(Root, "Packages", package, "package.json"));
 
-    /// <summary>Finds the files of this name below Assets that Unity imports. It ignores names that begin with a dot or end with a tilde.</summary>
+    /// <summary>
+    /// Finds the files of this name below Assets that Unity imports. It ignores names that begin with a dot or end with a tilde, links, and folders
+    /// that the user may not read.
+    /// </summary>
     /// <returns>Absolute paths, in ordinal order.</returns>
     public IEnumerable<string> Imported(string name)
     {
         var assets = Path.Combine(Root, "Assets");
         if (!Directory.Exists(assets)) return [];
-        return Directory.EnumerateFiles(assets, name, SearchOption.AllDirectories)
+        return Directory.EnumerateFiles(assets, name, Below)
             .Where(file => !Path.GetRelativePath(assets, file).Split(Path.DirectorySeparatorChar).Any(IsIgnored))
             .Order(StringComparer.Ordinal);
     }

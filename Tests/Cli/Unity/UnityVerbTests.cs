@@ -144,6 +144,20 @@ public class UnityVerbTests
     }
 
     [Test]
+    public async Task Unity_LinkToAFolderAbove_WarnsOncePerLibrary()
+    {
+        if (OperatingSystem.IsWindows()) Assert.Ignore("symbolic links need a privilege on Windows");
+        using var project = new UnityProjectFolder(Empty);
+        project.Write("Assets/Plugins/Newtonsoft.Json.dll", "");
+        Directory.CreateSymbolicLink(project.At("Assets/Plugins/loop"), "..");
+
+        var run = await project.RunAsync();
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        Assert.That(run.Complaints, Has.Length.EqualTo(1), run.Errors);
+    }
+
+    [Test]
     public async Task Unity_ProjectOfThisRepository_NeedsNoChanges()
     {
         var run = await CliRun.OfAsync("unity", RepositoryFiles.Root, "--check");
