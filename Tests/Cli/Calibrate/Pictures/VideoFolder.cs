@@ -14,8 +14,9 @@ public abstract class VideoFolder : CalibrationFolder
     [SetUp]
     public void RememberPath()
     {
-        Needs.Vision();
+        // RestorePath also runs if the test is ignored.
         _path = Environment.GetEnvironmentVariable("PATH");
+        Needs.Vision();
     }
 
     [TearDown]
