@@ -155,11 +155,6 @@ public sealed class ProjectChecksTests : EditorFixture
         Assert.That(holoLens.Results[IndexIn(holoLens, "Scripting backend is IL2CPP")].State, Is.EqualTo(CheckState.Missing), "this is a setting of another player");
     }
 
-    // Passthrough shows the real robot only where the camera's picture has alpha 0.
-    [Test]
-    public void Checks_ForAndroid_ContainTheBackgroundOfTheCamera() =>
-        Assert.That(ProjectChecks.For(HeadsetPlatform.AndroidHeadset), Does.Contain(RenderingChecks.CameraBackground));
-
     [Test]
     public void OpenXrLoader_Fix_OpensTheSettingsAndNamesTheOption()
     {

@@ -72,7 +72,8 @@ namespace Nowpose.Editor.Messages
 
         public const string RunInBackground = "Otherwise the session ends whenever the system's menu opens, and must synchronise its clock again.";
 
-        public const string ScriptingBackend = "IL2CPP is needed for 64-bit ARM and recommended for x86-64.";
+        public const string UwpBackend = "The UWP player supports no other backend.";
+        public const string AndroidBackend = "IL2CPP is needed for 64-bit ARM and recommended for x86-64.";
 
         public const string UnityVersion = "Other versions may lack functions that the package or Microsoft's plug-in uses.";
     }

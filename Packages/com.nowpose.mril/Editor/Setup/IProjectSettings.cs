@@ -27,6 +27,9 @@ namespace Nowpose.Editor.Setup
         /// <summary>Architecture of the UWP player: x86, x64, ARM or ARM64.</summary>
         string Architecture { get; set; }
 
+        /// <summary>Whether the Android player is built for ARM64.</summary>
+        bool TargetsArm64 { get; }
+
         /// <summary>Whether the Android player is built for x86-64.</summary>
         bool TargetsX64 { get; }
 

@@ -54,10 +54,10 @@ namespace Nowpose.Editor.Setup
                 return CheckFixes.InputHandling(InputNames[InputSystem]);
             });
 
-        public static ProjectCheck ScriptingBackend { get; } = new ProjectCheck(
-            CheckTitles.ScriptingBackend, CheckReasons.ScriptingBackend,
-            project => project.UsesIl2Cpp ? CheckResult.Good("IL2CPP") : CheckResult.Missing(CheckResults.ScriptingBackend),
-            "Use IL2CPP", ProjectCheck.Always(project => project.UsesIl2Cpp = true));
+        public static ProjectCheck UwpBackend { get; } = ScriptingBackend(CheckReasons.UwpBackend, _ => CheckState.Missing);
+
+        public static ProjectCheck AndroidBackend { get; } = ScriptingBackend(
+            CheckReasons.AndroidBackend, project => project.TargetsArm64 ? CheckState.Missing : CheckState.Advice);
 
         public static ProjectCheck BuildTarget(HeadsetPlatform platform) => new ProjectCheck(
             CheckTitles.BuildTarget(platform.Player), CheckReasons.BuildTarget(platform.Headset),
@@ -74,6 +74,12 @@ namespace Nowpose.Editor.Setup
                 CheckTitles.Capability(capability.ToString()), why,
                 project => project.IsAllowed(capability) ? CheckResult.Good("declared") : new CheckResult(without, "not declared"),
                 CheckTitles.Declare(capability.ToString()), ProjectCheck.Always(project => project.Allow(capability)));
+
+        /// <param name="without">State of a project with another backend.</param>
+        static ProjectCheck ScriptingBackend(string why, Func<IProjectSettings, CheckState> without) => new ProjectCheck(
+            CheckTitles.ScriptingBackend, why,
+            project => project.UsesIl2Cpp ? CheckResult.Good("IL2CPP") : new CheckResult(without(project), CheckResults.ScriptingBackend),
+            "Use IL2CPP", ProjectCheck.Always(project => project.UsesIl2Cpp = true));
 
         static CheckResult LookAtInput(IProjectSettings project)
         {

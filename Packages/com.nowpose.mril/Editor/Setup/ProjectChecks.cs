@@ -17,7 +17,7 @@ namespace Nowpose.Editor.Setup
         {
             PlayerChecks.EditorVersion,
             PlayerChecks.BuildTarget(HeadsetPlatform.HoloLens2),
-            PlayerChecks.ScriptingBackend,
+            PlayerChecks.UwpBackend,
             PlayerChecks.Architecture,
             PlayerChecks.ApiLevel,
             RenderingChecks.GraphicsApi,
@@ -54,7 +54,7 @@ namespace Nowpose.Editor.Setup
         {
             PlayerChecks.EditorVersion,
             PlayerChecks.BuildTarget(HeadsetPlatform.AndroidHeadset),
-            PlayerChecks.ScriptingBackend,
+            PlayerChecks.AndroidBackend,
             PlayerChecks.ApiLevel,
             RenderingChecks.Pipeline,
             PlayerChecks.InputHandling,

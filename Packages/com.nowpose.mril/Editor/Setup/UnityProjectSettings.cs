@@ -56,7 +56,9 @@ namespace Nowpose.Editor.Setup
             set => EditorUserBuildSettings.wsaArchitecture = value;
         }
 
-        public bool TargetsX64 => (PlayerSettings.Android.targetArchitectures & AndroidArchitecture.X86_64) != 0;
+        public bool TargetsArm64 => Targets(AndroidArchitecture.ARM64);
+
+        public bool TargetsX64 => Targets(AndroidArchitecture.X86_64);
 
         public bool UsesNetStandard
         {
@@ -145,6 +147,8 @@ namespace Nowpose.Editor.Setup
         }
 
         public void OpenProjectSettings() => EditorApplication.ExecuteMenuItem("Edit/Project Settings...");
+
+        static bool Targets(AndroidArchitecture architecture) => (PlayerSettings.Android.targetArchitectures & architecture) != 0;
 
         // The Package Manager has no API for adding a registry. Client.Resolve makes it read the manifest again.
         void AddToManifest(PackageOrigin package)

@@ -23,6 +23,7 @@ namespace Nowpose.Tests.Unity.Setup
         public string OtherTarget => null;
         public bool UsesIl2Cpp { get; set; }
         public string Architecture { get; set; }
+        public bool TargetsArm64 => false;
         public bool TargetsX64 { get; set; }
         public bool UsesNetStandard { get; set; }
         public bool FrameTimingStats { get; set; }
