@@ -29,8 +29,8 @@ namespace Nowpose.Editor.Messages
             + "does not follow the head.";
 
         public const string InternetAccess =
-            "Android refuses network connections of an app without the permission INTERNET. A development build always has the permission; with Auto, a "
-            + "release build has it only if the app uses Unity's own network classes.";
+            "Android refuses network connections of an app without the permission INTERNET. A development build always has the permission; in a "
+            + "release build with Auto, Unity decides from the classes and services that the app uses.";
 
         public const string Mrtk3 = "The sample HoloLens 2 (MRTK3) uses it for the hand menu, voice commands and grabbing; the package works without it.";
 
