@@ -118,6 +118,14 @@ public class TypedCodeTests
         Assert.That((_played.Pairing.Cell, _played.Pairing.Problem), Is.EqualTo(("desk", (string)null)));
     }
 
+    CellPairing AddSecond(out MrilSession session)
+    {
+        session = _played.Cell.NewSession();
+        var pairing = session.gameObject.AddComponent<CellPairing>().With("_fileName", _played.FilePath);
+        session.gameObject.SetActive(true);
+        return pairing;
+    }
+
     // Objects of a scene that is loaded additively, or kept by DontDestroyOnLoad, are in another scene.
     [TestCase(false)]
     [TestCase(true)]
@@ -125,10 +133,8 @@ public class TypedCodeTests
     {
         Pair(Desk);
         if (isInOtherScene) World.Current.Scenes.Active = World.Current.Scenes.Add("Other", "");
-        var second = _played.Cell.NewSession();
+        var pairing = AddSecond(out var second);
         Assert.That(second.gameObject.scene == _played.Session.gameObject.scene, Is.Not.EqualTo(isInOtherScene));
-        var pairing = second.gameObject.AddComponent<CellPairing>().With("_fileName", _played.FilePath);
-        second.gameObject.SetActive(true);
         var before = File.ReadAllText(_played.FilePath);
 
         pairing.ReadCode(Bench);
@@ -140,10 +146,49 @@ public class TypedCodeTests
         Assert.That(File.ReadAllText(_played.FilePath), Is.EqualTo(before));
         Pair(Press);
         Assert.That(File.ReadAllText(_played.FilePath), Does.Contain("desk").And.Contain("press").And.Not.Contain("bench"));
+    }
 
+    [Test]
+    public void File_OfTwoPairings_IsSavedByTheSecondOnlyAfterItHasReadTheFileAlone()
+    {
+        var pairing = AddSecond(out var second);
+        Pair(Desk);
         UnityEngine.Object.DestroyImmediate(_played.Session.gameObject);
-        pairing.Forget();
+        void PairSecond(string code)
+        {
+            pairing.ReadCode(code);
+            _played.Cell.Frame(second);
+            pairing.Accept();
+            _played.Cell.Frame(second);
+        }
+
+        PairSecond(Bench);
+        Assert.That(pairing.Problem, Is.Not.Null);
+        Assert.That(File.ReadAllText(_played.FilePath), Does.Contain("desk").And.Not.Contain("bench"));
+
+        pairing.enabled = false;
+        pairing.enabled = true;
+        Assert.That(pairing.Problem, Is.Null);
+        PairSecond(Bench);
+        Assert.That(pairing.Problem, Is.Null);
+        Assert.That(File.ReadAllText(_played.FilePath), Does.Contain("desk").And.Contain("bench"));
+    }
+
+    [Test]
+    public void File_OfTwoPairings_IsStillSavedByTheFirstAfterItWasDisabled()
+    {
+        var pairing = AddSecond(out var second);
+        Pair(Desk);
+
+        _played.Pairing.enabled = false;
+        _played.Pairing.enabled = true;
+        pairing.ReadCode(Bench);
         _played.Cell.Frame(second);
-        Assert.That((pairing.Problem, File.ReadAllText(_played.FilePath).Contains("desk")), Is.EqualTo(((string)null, true)), "the cells that it read");
+        pairing.Accept();
+        _played.Cell.Frame(second);
+
+        Assert.That(File.ReadAllText(_played.FilePath), Does.Contain("desk").And.Not.Contain("bench"));
+        Pair(Press);
+        Assert.That((_played.Pairing.Problem, File.ReadAllText(_played.FilePath).Contains("press")), Is.EqualTo(((string)null, true)));
     }
 }

@@ -51,9 +51,9 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Called when a problem has occurred. The property Words states it.")]
         UnityEvent _onProblem = new UnityEvent();
 
-        // The enabled pairings of all scenes, in the order in which they were enabled. Each removes itself, also when play mode ends, so the list is
+        // The enabled pairings of all scenes that may save: at most one for each file. Each removes itself, also when play mode ends, so the list is
         // correct without a domain reload.
-        static readonly List<CellPairing> Enabled = new List<CellPairing>();
+        static readonly List<CellPairing> Savers = new List<CellPairing>();
 
         readonly AppliedCell _applied = new AppliedCell();
         readonly CodesInView _view = new CodesInView();
@@ -125,14 +125,16 @@ namespace Nowpose.Unity
             _name = HeadsetName.Of(_headsetName);
             _path = Path.Combine(Application.persistentDataPath, _fileName);
             Flow = new PairingFlow(PairedCellsFile.Load(_path, out _fileProblem, out var isUnread), _name, SendInBackground);
-            _unsaved = isUnread ? _fileProblem : null;
-            Enabled.Add(this);
+            // If another pairing saves the file, this list becomes out of date and is never saved. Enabling this pairing again reads the file again.
+            var saver = Savers.Find(each => each._path == _path);
+            _unsaved = isUnread ? _fileProblem : saver != null ? PairedCellMessages.Shared(_path, saver.name) : null;
+            if (_unsaved == null) Savers.Add(this);
             if (_fileProblem != null) ConsoleLog.Warn(this, _fileProblem);
         }
 
         void OnDisable()
         {
-            Enabled.Remove(this);
+            Savers.Remove(this);
             Flow?.Dispose();
             Flow = null;
             ShowQuestion();
@@ -192,9 +194,6 @@ namespace Nowpose.Unity
             try
             {
                 if (_unsaved != null) throw new InputException(_unsaved);
-                // Two pairings with the same file would replace the cells of each other, so only the first saves.
-                var first = Enabled.Find(each => each._path == _path);
-                if (first != this) throw new InputException(PairedCellMessages.Shared(_path, first.name));
                 PairedCellsFile.Save(_path, Flow.Cells);
                 _fileProblem = null;
             }
