@@ -13,8 +13,8 @@ static class AblationVerb
     [
         PredictionParts.Repetition, PredictionParts.Braking, PredictionParts.Profiles, PredictionParts.Process, PredictionParts.Quadratic, PredictionParts.Cubic,
         PredictionParts.QuadraticOfFive, PredictionParts.CubicOfSix, PredictionParts.QuadraticOfTen, PredictionParts.LineOfTen, PredictionParts.Reported,
-        PredictionParts.ChangePoints, PredictionParts.Scatter, PredictionParts.DistanceLimit, PredictionParts.Jumps, PredictionParts.StampCorrection,
-        PredictionParts.Thinning, PredictionParts.Interpolation,
+        PredictionParts.ChangePoints, PredictionParts.Scatter, PredictionParts.Persistence, PredictionParts.DistanceLimit, PredictionParts.Jumps,
+        PredictionParts.StampCorrection, PredictionParts.Thinning, PredictionParts.Interpolation,
     ];
 
     public static Command Create()

@@ -54,7 +54,7 @@ namespace Nowpose.Prediction
         /// <summary>Ignores samples before a change point.</summary>
         ChangePoints = 8192,
 
-        /// <summary>Predicts the mean of samples that only scatter, and gives the line half of the weight in the first move after that.</summary>
+        /// <summary>Predicts the mean of samples that only scatter.</summary>
         Scatter = 16384,
 
         /// <summary>Detects positions that jump.</summary>
@@ -66,6 +66,9 @@ namespace Nowpose.Prediction
         /// <summary>Predicts that a move brakes as it has accelerated.</summary>
         Braking = 131072,
 
+        /// <summary>Multiplies the prior of the mixture by the persistence of the motion; hold has the remainder.</summary>
+        Persistence = 262144,
+
         /// <summary>The parts for joints and objects.</summary>
         Common = Preparation | Quadratic | Cubic | QuadraticOfFive | CubicOfSix | QuadraticOfTen | Process | Repetition | Braking | ChangePoints | Scatter
             | Jumps | DistanceLimit,
@@ -74,6 +77,6 @@ namespace Nowpose.Prediction
         Joint = Common | Reported | Profiles,
 
         /// <summary>All parts for an object, whose tracker may be noisy.</summary>
-        Object = Common | LineOfTen
+        Object = Common | LineOfTen | Persistence
     }
 }

@@ -16,7 +16,7 @@ namespace Nowpose.Prediction.Mixing
         const int First = Line + 1;
 
         readonly Forecaster[] _forecasters;
-        readonly double[] _prior, _priorWhenReported;
+        readonly double[] _prior, _priorWhenReported, _sharedPrior;
         readonly int _components;
         readonly double[] _tables;
 
@@ -28,7 +28,7 @@ namespace Nowpose.Prediction.Mixing
         public ForecasterSet(int components, params (Forecaster Forecaster, double Prior, double PriorWhenReported)[] forecasters)
         {
             (_components, _forecasters) = (components, Array.ConvertAll(forecasters, one => one.Forecaster));
-            (_tables, _prior, _priorWhenReported) = (new double[Start(Count)], new double[Count], new double[Count]);
+            (_tables, _prior, _priorWhenReported, _sharedPrior) = (new double[Start(Count)], new double[Count], new double[Count], new double[Count]);
             _prior[Line] = _priorWhenReported[Line] = 1;
             for (var i = First; i < Count; i++)
             {
@@ -41,9 +41,16 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>Number of forecasts, including hold and line.</summary>
         public int Count => First + _forecasters.Length;
 
-        /// <summary>Returns the weights that apply without evidence: one per forecast, with the sum 1.</summary>
+        /// <summary>Returns the weights that apply without evidence: one per forecast, with the sum 1. They are valid until the next call.</summary>
         /// <param name="isReported">Whether the source reports velocity and acceleration.</param>
-        public double[] Prior(bool isReported) => isReported ? _priorWhenReported : _prior;
+        /// <param name="share">Weight of the forecasts of a motion, 0 to 1; hold has the remainder.</param>
+        public double[] Prior(bool isReported, double share)
+        {
+            var prior = isReported ? _priorWhenReported : _prior;
+            for (var i = 0; i < prior.Length; i++) _sharedPrior[i] = share * prior[i];
+            _sharedPrior[Hold] = 1 - share;
+            return _sharedPrior;
+        }
 
         /// <summary>Fills the tables of all forecasts. They are valid until the next sample of any motion.</summary>
         /// <param name="samples">Number of newest samples that belong to one motion.</param>

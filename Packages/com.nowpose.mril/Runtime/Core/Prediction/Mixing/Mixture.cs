@@ -15,8 +15,8 @@ namespace Nowpose.Prediction.Mixing
     /// (<see cref="MixtureWeights"/>), and the tables of the forecasters and the displayed one are filled. The components of an object have the same
     /// weights: they have the same kind of noise and motion, so the weights are estimated three times as fast as for a joint.
     /// Directly after a jump, the displayed table holds the position. Otherwise, it is that of the best candidate whose gate is open, or else the line at
-    /// constant velocity, or else the weighted sum within <see cref="DistanceLimit"/>, with a half of the line after a start from noise. The limits of the
-    /// drive bound the last two. The gates compare with the weighted sum alone, without the line and without limits.
+    /// constant velocity, or else the weighted sum within <see cref="DistanceLimit"/>. The limits of the drive bound the last two. The gates compare with
+    /// the weighted sum alone, without the line and without limits.
     /// </remarks>
     sealed class Mixture : Forecaster
     {
@@ -27,23 +27,9 @@ namespace Nowpose.Prediction.Mixing
 
         /// <summary>
         /// Number of errors, one per component and sample, whose evidence has the same weight as the prior. It is larger than for independent errors, because
-        /// successive errors of a component are similar. With 5, the errors change by at most 0.2 %.
+        /// successive errors of a component are similar. With 15, the errors of simulated trackers at rest are 0.8 % larger.
         /// </summary>
-        const double PriorErrors = 20;
-
-        /// <summary>
-        /// Threshold for a first move, which is a motion much faster than the noise before it: minimum ratio of the squared displacement within one
-        /// horizon to the mean square error of hold. For a motion that continues at constant speed, the ratio is 1. Without the threshold, the errors on
-        /// recordings are 0.4 % larger, and those of 24 other simulated objects 0.6 %.
-        /// </summary>
-        const double FirstMoveRatio = 30;
-
-        /// <summary>
-        /// Weight of the line in a first move; the mixture has the remainder. Of the real trackers, most of such samples are impulses that come back, and of the
-        /// simulated ones, starts of conveyors: with 1, 15 instead of 10 of 210 ratios of real trackers are above 1.05; with 0, simulated first moves have up
-        /// to 1.9 % larger errors.
-        /// </summary>
-        const double FirstMoveShare = 0.5;
+        const double PriorErrors = 25;
 
         /// <summary>
         /// Factor by which the line multiplies the speed directly after a change point that did not increase it. Without the factor, the errors on
@@ -65,8 +51,7 @@ namespace Nowpose.Prediction.Mixing
         // The table of the displayed forecast.
         readonly double[] _table;
 
-        double _forgettingFactor, _firstMoveUntil, _startedAt;
-        bool _wasReported;
+        double _forgettingFactor;
 
         /// <param name="limits">Horizon cap, and for a joint the limits of its drive.</param>
         /// <param name="forecasters">Forecasters of the mixture, which other motions may use in turn.</param>
@@ -78,7 +63,7 @@ namespace Nowpose.Prediction.Mixing
             _jumps = jumps;
             _points = ForecastTable.PointsUpTo(limits.HorizonCap);
             _changePoints = new ChangePointDetector();
-            _weights = new MixtureWeights(forecasters.Prior(isReported: false));
+            _weights = new MixtureWeights(forecasters.Count);
             _pending = new PendingForecasts(components, forecasters, candidates, _weights);
             _table = new double[ForecastTable.Points * components];
             Reset();
@@ -92,12 +77,11 @@ namespace Nowpose.Prediction.Mixing
         {
             if (motion.IsNewest)
             {
-                if (double.IsNaN(_startedAt)) _startedAt = motion.NewestTime;
                 _forgettingFactor = Math.Exp(-motion.Timing.Interval / TimeConstant);
                 if (Uses(PredictionParts.Jumps)) _jumps.Add(motion);
                 DetectChangePoint(motion);
                 Learn(motion);
-                DetectStart(motion);
+                if (Uses(PredictionParts.Scatter)) motion.Rest.AddNoise(motion.Displacements, Connected(motion));
                 foreach (var candidate in _candidates) candidate.Add(motion);
             }
             Forecast(motion);
@@ -111,13 +95,10 @@ namespace Nowpose.Prediction.Mixing
             foreach (var candidate in _candidates) candidate.Reset();
             _jumps.Reset();
             _changePoints.Reset();
-            _weights.Reset(_forecasters.Prior(isReported: false));
+            _weights.Reset();
             _pending.Clear();
             _distance.Clear();
             Array.Clear(_table, 0, _table.Length);
-            _firstMoveUntil = double.NegativeInfinity;
-            _startedAt = double.NaN;
-            _wasReported = false;
         }
 
         bool Uses(PredictionParts part) => (_parts & part) != 0;
@@ -136,23 +117,22 @@ namespace Nowpose.Prediction.Mixing
             // One error per component and sample, all of which the weights forget with the same time constant.
             var factorPerError = Math.Exp(-motion.Timing.Interval / (_components * TimeConstant));
             // An error that a wrong sample shows would remain in all means for seconds. The next sample drops its forecasts.
-            var hasLearned = !_jumps.IsUnconfirmed && _pending.Score(motion, factorPerError);
-            var isReported = !double.IsNaN(motion.ReportedVelocity + motion.ReportedAcceleration);
-            if (hasLearned || isReported != _wasReported) _weights.Solve(_forecasters.Prior(isReported), PriorErrors * (1 - factorPerError));
-            _wasReported = isReported;
+            if (!_jumps.IsUnconfirmed) _pending.Score(motion, factorPerError);
+            _weights.Solve(Prior(motion), PriorErrors * (1 - factorPerError), SquareWithinHorizon(motion));
         }
 
-        void DetectStart(MotionState motion)
+        // Extrapolation would multiply the noise of a tracker.
+        double[] Prior(MotionState motion)
         {
-            if (Uses(PredictionParts.Scatter)) motion.Rest.AddNoise(motion.Displacements, Connected(motion));
-            if (motion.Rest.HasStarted && IsFirstMove(motion)) _firstMoveUntil = motion.NewestTime + motion.Timing.Horizon + motion.Timing.Interval;
+            var share = Uses(PredictionParts.Persistence) ? Math.Min(Math.Max(motion.MeasurePersistence(), 0), 1) : 1;
+            return _forecasters.Prior(!double.IsNaN(motion.ReportedVelocity + motion.ReportedAcceleration), share);
         }
 
-        // The weights that result from noise at rest are unsuitable for a first move. After one horizon, they include the errors of this move.
-        bool IsFirstMove(MotionState motion)
+        // The mean square of the components of the displacement within one horizon, at the present speed.
+        double SquareWithinHorizon(MotionState motion)
         {
-            var displacement = Vectors.Distance(motion.Newest, motion.Previous) * motion.Timing.Horizon / motion.Interval;
-            return displacement * displacement > FirstMoveRatio * _components * _weights.MeanSquare(ForecasterSet.Hold);
+            var displacement = IsVelocityUnknown ? 0 : motion.Speed * motion.Timing.Horizon;
+            return displacement * displacement / _components;
         }
 
         // Number of newest samples without a gap or a jump.
@@ -196,27 +176,18 @@ namespace Nowpose.Prediction.Mixing
         void FillMixture(MotionState motion, double speedFactor)
         {
             // The weights of the last seconds would displace a constant velocity if they include hold.
-            var lineShare = Uses(PredictionParts.ChangePoints) && _changePoints.IsSteady ? 1 : motion.NewestTime < _firstMoveUntil ? FirstMoveShare : 0;
-            AddForecasts((1 - lineShare) * ShareOfForecasts(motion));
-            if (lineShare > 0) _forecasters.AddTo(_table, ForecasterSet.Line, lineShare, _points);
+            if (Uses(PredictionParts.ChangePoints) && _changePoints.IsSteady) _forecasters.AddTo(_table, ForecasterSet.Line, 1, _points);
+            else AddForecasts();
             if (_components == 1 && motion.Count > 1) ForecastTable.LimitToDrive(_table, _points, speedFactor * motion.Velocity[0], motion.Interval, _limits);
         }
 
-        // In the first horizon, in which no errors are known, the prior would extend a tracker's noise to a multiple of it. Hold has the remainder.
-        double ShareOfForecasts(MotionState motion)
+        // Adds the weighted sum, within the limit of the distance.
+        void AddForecasts()
         {
-            var isFirstHorizon = _weights.Evidence == 0 && motion.NewestTime - _startedAt < motion.Timing.Horizon + motion.Timing.Interval;
-            return isFirstHorizon ? Math.Min(Math.Max(motion.MeasurePersistence(), 0), 1) : 1;
-        }
-
-        // Adds the weighted sum, within the limit of the distance, with this share.
-        void AddForecasts(double share)
-        {
-            if (share == 0) return;
             var weights = _weights.Values;
             for (var i = ForecasterSet.Line; i < weights.Length; i++)
-                if (weights[i] != 0) _forecasters.AddTo(_table, i, share * weights[i] * _distance.Factor, _points);
-            if (_distance.Factor < 1) _forecasters.AddTo(_table, ForecasterSet.Line, share * (1 - _distance.Factor), _points);
+                if (weights[i] != 0) _forecasters.AddTo(_table, i, weights[i] * _distance.Factor, _points);
+            if (_distance.Factor < 1) _forecasters.AddTo(_table, ForecasterSet.Line, 1 - _distance.Factor, _points);
         }
     }
 

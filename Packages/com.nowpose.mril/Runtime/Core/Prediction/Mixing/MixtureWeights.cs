@@ -48,23 +48,19 @@ namespace Nowpose.Prediction.Mixing
         readonly double[] _products;
         readonly int _weighted;
 
-        /// <param name="prior">The weights without evidence, one per forecast.</param>
-        public MixtureWeights(double[] prior)
+        /// <param name="count">Number of forecasts; the first is hold.</param>
+        public MixtureWeights(int count)
         {
-            _count = prior.Length;
-            _weighted = _count * _count;
+            (_count, _weighted) = (count, count * count);
             _products = new double[_weighted + _count];
-            Values = (double[])prior.Clone();
+            Values = new double[count];
         }
 
-        /// <summary>The weights, one per forecast.</summary>
+        /// <summary>The weights, one per forecast; valid from the first solve on.</summary>
         public double[] Values { get; }
 
         /// <summary>Sum of the weights of all errors so far: 0 at first, 1 after several time constants of the forgetting factor.</summary>
         public double Evidence { get; private set; }
-
-        /// <summary>Returns the mean square of one forecast's error; 0 without evidence.</summary>
-        public double MeanSquare(int forecast) => Evidence > 0 ? _products[forecast * (_count + 1)] / Evidence : 0;
 
         /// <summary>Adds the errors of all forecasts for one sample.</summary>
         /// <param name="errors">Array that contains the errors from index <paramref name="first"/> on.</param>
@@ -91,7 +87,11 @@ namespace Nowpose.Prediction.Mixing
         /// Evidence (<see cref="Evidence"/>) at which the regularisation is twice the final one, so that the errors of the first samples alone do not
         /// determine the weights.
         /// </param>
-        public void Solve(double[] prior, double priorEvidence)
+        /// <param name="square">
+        /// Mean square of the displacement within one horizon, per component. If it is n times the mean square error of hold, the evidence for so fast a motion
+        /// is one n-th: the weights from noise at rest would hold an object that starts to move.
+        /// </param>
+        public void Solve(double[] prior, double priorEvidence, double square)
         {
             if (Evidence == 0)
             {
@@ -101,18 +101,20 @@ namespace Nowpose.Prediction.Mixing
             var min = double.PositiveInfinity;
             for (var i = 0; i < _weighted; i += _count + 1)
                 if (_products[i] < min) min = _products[i];
-            min = Math.Max(min, MinError * MinError * Evidence);
-            var lambda = Regularisation * min * (1 + priorEvidence / Evidence);
+            var visible = MinError * MinError * Evidence;
+            // If a forecast was exact, as hold is after jumps without noise, it keeps its weight.
+            var fast = square * min / Math.Max(_products[0], visible);
+            min = Math.Max(min, visible);
+            var lambda = Regularisation * (min + priorEvidence * Math.Max(min / Evidence, fast));
             Span<double> gradient = stackalloc double[_count];
             for (var i = 0; i < gradient.Length; i++) gradient[i] = _products[_weighted + i] + lambda * (Values[i] - prior[i]);
             for (var step = 0; step < Steps; step++)
                 if (!(MoveBestPair(gradient, lambda, SameRatio * min) > MinGain * min)) return;
         }
 
-        public void Reset(double[] prior)
+        public void Reset()
         {
             Array.Clear(_products, 0, _products.Length);
-            Array.Copy(prior, Values, _count);
             Evidence = 0;
         }
 

@@ -61,10 +61,9 @@ namespace Nowpose.Prediction.Mixing
         /// Compares the forecasts for the interval before the newest sample with the line through both samples of the interval, and drops them.
         /// </summary>
         /// <param name="forgettingFactor">Forgetting factor of the weights for this interval.</param>
-        /// <returns>Whether the weights have learned.</returns>
-        public bool Score(MotionState motion, double forgettingFactor)
+        public void Score(MotionState motion, double forgettingFactor)
         {
-            var (interval, hasLearned) = (motion.Interval, false);
+            var interval = motion.Interval;
             for (; _count > 0 && _pending[0].Due <= motion.NewestTime; DropFirst())
             {
                 var expected = _pending[0];
@@ -72,10 +71,9 @@ namespace Nowpose.Prediction.Mixing
                 if (motion.Timing.IsAfterPause || !(interval < ForecastTable.Span) || expected.Due < motion.PreviousTime) continue;
                 var fraction = (expected.Due - motion.PreviousTime) / interval;
                 for (var c = 0; c < _components; c++) _truth[c] = motion.Previous[c] + (motion.Newest[c] - motion.Previous[c]) * fraction;
-                hasLearned |= ScoreForecasts(expected.Positions, forgettingFactor);
+                ScoreForecasts(expected.Positions, forgettingFactor);
                 ScoreCandidates(expected, motion.NewestTime);
             }
-            return hasLearned;
         }
 
         /// <summary>Drops the forecasts that were made from the sample before the newest, because its position is wrong.</summary>
@@ -97,7 +95,7 @@ namespace Nowpose.Prediction.Mixing
         }
 
         // The errors of one component are adjacent.
-        bool ScoreForecasts(double[] positions, double forgettingFactor)
+        void ScoreForecasts(double[] positions, double forgettingFactor)
         {
             var (errors, differ) = (_errors, false);
             for (int c = 0, e = 0; c < _components; c++)
@@ -106,13 +104,12 @@ namespace Nowpose.Prediction.Mixing
                 for (var i = c; i < _mixture; i += _components, e++)
                 {
                     errors[e] = positions[i] - truth;
-                    if (!(Math.Abs(errors[e]) < JointSample.MaxMagnitude)) return false;
+                    if (!(Math.Abs(errors[e]) < JointSample.MaxMagnitude)) return;
                     differ |= positions[i] != line;
                 }
             }
             // From a rest without noise, all forecasts are equal. Their error at a start would hide the differences between the forecasters for seconds.
             for (var c = 0; c < _components && differ; c++) _weights.Learn(errors, c * _forecasters.Count, forgettingFactor);
-            return differ;
         }
 
         void ScoreCandidates(Expectation expected, double time)

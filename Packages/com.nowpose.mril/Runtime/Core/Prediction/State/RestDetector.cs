@@ -7,10 +7,9 @@ namespace Nowpose.Prediction.State
     /// <remarks>
     /// <para>Samples repeat (<see cref="IsStill"/>) if the source has no noise. The next sample may be the start of a move, so gates have separate scores for
     /// forecasts from such a rest, and template matching, braking and profiles begin a new move after it.</para>
-    /// <para>Samples only scatter (<see cref="Scatters"/>) if an encoder or a tracker has noise. Their mean is then forecast, and their <see cref="Noise"/>
-    /// determines what counts as the start of a move. For white noise, the mean second difference is √3 times the mean first difference, and the samples make
-    /// no progress; a smooth motion has small second differences, even at a reversal. A motion starts in two steps: a sample leaves the position about which
-    /// the previous ones scattered, and the next one continues in the same direction.</para>
+    /// <para>Samples only scatter (<see cref="Scatters"/>) if an encoder or a tracker has noise. Their mean is then forecast, until a
+    /// sample leaves it by a multiple of their <see cref="Noise"/>. For white noise, the mean second difference is √3 times the mean first difference, and the
+    /// samples make no progress; a smooth motion has small second differences, even at a reversal.</para>
     /// </remarks>
     sealed class RestDetector
     {
@@ -33,21 +32,18 @@ namespace Nowpose.Prediction.State
         const double MaxProgress = 0.35, MinRoughness = 1.3;
 
         /// <summary>
-        /// Minimum distance of the first sample of a motion from the mean of the scattering samples, and from the last of them, relative to
-        /// <see cref="Noise"/>. The direction of a shorter last step would depend mainly on the noise. With half or twice this value, the mean errors
-        /// change by at most 0.2 %.
+        /// Minimum distance of a sample that leaves the scattering samples from their mean, and from the last of them, relative to <see cref="Noise"/>. With
+        /// half or twice this value, the mean errors change by at most 0.2 %.
         /// </summary>
-        const double MinStartRatio = 4;
+        const double MinLeaveRatio = 4;
 
         /// <summary>
-        /// Weight of a new window in <see cref="Noise"/>. With a weight of 1, noise in one component looks like the start of a motion once in 600 samples,
-        /// because the noise in a single window is small by chance at times.
+        /// Weight of a new window in <see cref="Noise"/>. The noise in a single window is small by chance at times.
         /// </summary>
         const double Smoothing = 1 / 16.0;
 
         readonly int _components;
         readonly double[] _mean;
-        bool _hasLeft;
 
         public RestDetector(int components) => (_components, _mean) = (components, new double[components]);
 
@@ -62,12 +58,6 @@ namespace Nowpose.Prediction.State
 
         /// <summary>Whether the newest samples only scatter; false for samples that do not differ.</summary>
         public bool Scatters { get; private set; }
-
-        /// <summary>
-        /// Whether a motion has started: the previous sample has left the position about which the samples scattered, and the newest one continues in
-        /// this direction. A single step can be the rounding of a tracker.
-        /// </summary>
-        public bool HasStarted { get; private set; }
 
         /// <summary>Mean distance between consecutive samples that only scattered; 0 before them, and after a gap or a jump.</summary>
         public double Noise { get; private set; }
@@ -90,27 +80,16 @@ namespace Nowpose.Prediction.State
         {
             count = Math.Min(count, Window);
             if (count == 1) Noise = 0;
-            // Each line uses the results for the previous sample of the lines below it.
-            HasStarted = _hasLeft && count > 2 && Continues(samples);
-            _hasLeft = Scatters && count > 1 && DistanceFromScatter(samples, count) > MinStartRatio * Noise;
-            Scatters = count >= MinSamples && !_hasLeft && IsScatter(samples, count);
+            var hasLeft = Scatters && count > 1 && DistanceFromScatter(samples, count) > MinLeaveRatio * Noise;
+            Scatters = count >= MinSamples && !hasLeft && IsScatter(samples, count);
             if (Scatters) ComputeMean(samples, 0, count);
         }
 
         public void Reset()
         {
-            Scatters = HasStarted = _hasLeft = false;
+            Scatters = false;
             Noise = StillDistance = 0;
             StillSamples = 0;
-        }
-
-        // Whether the newest two displacements have the same direction.
-        bool Continues(double[] samples)
-        {
-            var product = 0.0;
-            for (int c = 0, previous = _components, before = 2 * _components; c < _components; c++, previous++, before++)
-                product += (samples[c] - samples[previous]) * (samples[previous] - samples[before]);
-            return product > 0;
         }
 
         // Distance of the newest sample from the mean of the others, or from the last of them if that is smaller.

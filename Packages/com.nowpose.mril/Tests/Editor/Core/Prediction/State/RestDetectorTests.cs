@@ -44,58 +44,18 @@ namespace Nowpose.Tests.Core.Prediction.State
                 Assert.That(Scatters(BodyMotions.HandHeld, samples, interval), Is.False, samples + " samples");
         }
 
-        [Test]
-        public void HasStarted_NoiseThenMotion_IsTrueForTheMotionOnly()
-        {
-            var rest = BodyMotions.WithNoise(BodyMotions.Rest, seed: 12);
-            var detector = new RestDetector(components: 3);
-            var started = 0;
-            for (var k = 0; k < 2000; k++)
-            {
-                Add(detector, rest(0.02 * k).Position);
-                if (detector.HasStarted) started++;
-            }
-            Assert.That(started, Is.Zero, "at rest");
-
-            // 0.4 m/s, noise 1 mm.
-            for (var k = 0; k < 3; k++)
-            {
-                Add(detector, rest(40 + 0.05 * k).Position + new Vector3D(0.02 * (k + 1), 0, 0));
-                if (detector.HasStarted) started++;
-            }
-
-            Assert.That(started, Is.Positive, "motions are detected");
-        }
-
-        [Test]
-        public void HasStarted_NoiseInOneComponent_IsTrueForFewerThanOneIn5000Samples()
-        {
-            var (detector, random, started) = (new RestDetector(components: 3), new Random(13), 0);
-            for (var k = 0; k < 20000; k++)
-            {
-                Add(detector, new Vector3D(0, 0, 0.001 * random.NextNormal()));
-                if (detector.HasStarted) started++;
-            }
-
-            Assert.That(started, Is.LessThan(4));
-        }
-
-        /// <summary>
-        /// In the first case, the step after the noise is as short as the noise, so its direction does not indicate a motion. In the second one, the object
-        /// continues, in the third one it stays: such a step can be the rounding of a tracker.
-        /// </summary>
-        [TestCase(2.5, 4, false)]
-        [TestCase(40, 80, true)]
-        [TestCase(40, 40, false)]
-        public void HasStarted_StepOutOfTheNoise_IsTrueOnlyIfItIsLongAndContinues(double position, double next, bool expected)
+        /// <summary>In the first case, the step is as short as the noise. In the second one, it is longer than the noise and no longer than the window.</summary>
+        [TestCase(0.5, true)]
+        [TestCase(2.5, false)]
+        [TestCase(40, false)]
+        public void Scatters_StepOutOfTheNoise_IsTrueOnlyIfItIsShort(double position, bool expected)
         {
             var detector = new RestDetector(components: 3);
-            foreach (var x in new[] { 0, 0.3, -0.2, 0.1, -0.3, 0.2, -0.1, 0.3, -0.3, 0.1, -0.2, 1.2 }) Add(detector, new Vector3D(x, 0, 0));
+            foreach (var x in new[] { 0, 0.3, -0.2, 0.1, -0.3, 0.2, -0.1, 0.3, -0.3, 0.1, -0.2, 0.2 }) Add(detector, new Vector3D(x, 0, 0));
 
             Add(detector, new Vector3D(position, 0, 0));
-            Add(detector, new Vector3D(next, 0, 0));
 
-            Assert.That(detector.HasStarted, Is.EqualTo(expected));
+            Assert.That(detector.Scatters, Is.EqualTo(expected));
         }
 
         [Test]
