@@ -48,7 +48,11 @@ public class RosbridgeServerTests
         try
         {
             for (var i = 0; i < 20; i++)
+            {
                 clients.Add(await RawRosbridgeClient.ConnectAsync(gateway.Server, options => options.SetRequestHeader("Authorization", "Bearer " + token)));
+                // The gateway has then added this connection, so that it is older than the next one.
+                await clients[i].RoundTripAsync();
+            }
 
             await Soon.BecomesAsync(() => gateway.Server.WebSocketConnections[Closure.ConnectionLimit] == 4, "all connections beyond 16 have ended");
             await clients[4].RoundTripAsync();
