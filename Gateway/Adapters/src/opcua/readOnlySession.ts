@@ -157,7 +157,10 @@ export class ReadOnlySession {
   async properties(nodes: string[], name: string): Promise<(DataValue | null)[]> {
     const session = this.#session;
     if (session === null) throw new Error(opcuaMessages.notConnected);
-    const found = await this.#reads.each(nodes, part => session.translateBrowsePath(part.map(node => makeBrowsePath(node, `.${name}`))));
+    // A server has separate limits for the two services.
+    const found = await new RequestParts(NODES_PER_READ).each(nodes, part =>
+      session.translateBrowsePath(part.map(node => makeBrowsePath(node, `.${name}`))),
+    );
     const ids = found.map(({ targets }) => targets?.[0]?.targetId.toString() ?? null);
     const values = await this.readAll(ids.filter(id => id !== null));
     return ids.map(id => (id === null ? null : values.shift()!));
