@@ -59,16 +59,17 @@ public sealed class PlantClock
     {
         get
         {
-            var now = _counter.Now;
-            var model = _synchroniser.ModelAt(now);
-            return !model.IsKnown || _rate.WrongAt(now) == null ? model : new ClockModel(
+            var model = _synchroniser.ModelAt(_counter.Now);
+            return !model.IsKnown || WrongRate == null ? model : new ClockModel(
                 model.Reference, model.ReferenceOffset, model.Skew, model.ErrorBound, ClockState.Converging, model.Steps, model.EstimatedError);
         }
     }
 
-    /// <summary>Rate of this clock relative to this machine's counter if it is not that of a real clock, for example 0.5; null otherwise.</summary>
-    public double? WrongRate => _rate.WrongAt(_counter.Now);
-
+    /// <summary>
+    /// Rate of this clock relative to this machine's counter if the clock does not run in real time, for example 0.5; null otherwise. Remains while
+    /// no adapter sends times.
+    /// </summary>
+    public double? WrongRate => _rate.Wrong;
 
     public TimeSpan RoundTripTime => _synchroniser.RoundTripTime;
     public TimeSpan Resolution => _synchroniser.Resolution;
@@ -95,7 +96,7 @@ public sealed class PlantClock
 
     /// <summary>
     /// Sets the adapter that offers this clock. The previous adapter receives no more requests. Starts a new estimate if the new adapter has another
-    /// clock, because exchanges with two clocks cannot be combined.
+    /// clock, because exchanges with two clocks cannot be combined, or if the rate was wrong.
     /// </summary>
     /// <param name="measured">The clock of the new adapter as measured so far; null if it is unknown.</param>
     /// <returns>False if <see cref="IsFree"/> is false; the current adapter then remains attached.</returns>
@@ -108,7 +109,8 @@ public sealed class PlantClock
             former = _caller;
             _caller = caller;
             _heard = _counter.Now;
-            if (measured?.ContradictionWith(this) != null) _synchroniser = NewSynchroniser();
+            if (measured?.ContradictionWith(this) != null || WrongRate != null) _synchroniser = NewSynchroniser();
+            _rate.Clear();
         }
 
         former?.Dispose();

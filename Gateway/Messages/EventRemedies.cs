@@ -12,7 +12,10 @@ static class EventRemedies
     public const string Parent = "Check the name of the parent; if it is a link of a robot, check that a source publishes the robot's description.";
     public const string CellVariables = "Check its variables in the plant and its entry in the plant's configuration.";
     public const string ClockAdapter = "Check the adapter that reads this clock.";
-    public const string ClockRate = "Check time.unit; for a simulation, stamp with a clock in real time.";
+
+    public const string ClockRate =
+        "Check time.unit; for a simulation, stamp with a clock in real time, or wait until the time service has corrected the clock.";
+
     public const string ClockName = "Check the name in --clock, and the adapter that reads this clock.";
     public const string ClockNames = "Give each clock another name, or stop the client that does not belong to the plant.";
     public const string Adapters = "Check that the adapter of each plant is running and connected.";

@@ -51,7 +51,7 @@ static class EventTexts
     public const string RunsAtWrongRate = "does not run in real time";
 
     /// <param name="rate">Seconds of the clock per second of real time.</param>
-    public static string ClockAtWrongRate(string clock, double rate) => $"the plant's clock {clock} runs at {RateText(rate)} of real time";
+    public static string ClockAtWrongRate(string clock, double rate) => $"the plant's clock {clock} runs at {RateText(rate)} times real time";
 
     /// <summary>Gets the reason for which no joint is current.</summary>
     public static string JointsOfWrongRate(string clock, double rate) => $"{ClockAtWrongRate(clock, rate)}. {EventRemedies.ClockRate}";

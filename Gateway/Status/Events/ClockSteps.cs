@@ -9,7 +9,7 @@ namespace Nowpose.Gateway.Status.Events;
 /// </summary>
 sealed class ClockSteps(PlantClocks plant, EventList events)
 {
-    // Time without a step after which the next step has its own event. It is longer than the measurement of a wrong rate.
+    // Time without a step after which the next step has its own event.
     static readonly TimeSpan MinPause = TimeSpan.FromSeconds(10);
 
     (string Source, int Steps)? _last;

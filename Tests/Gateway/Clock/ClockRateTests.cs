@@ -7,8 +7,6 @@ namespace Nowpose.Headless.Tests.Gateway.Clock;
 /// <summary>Tests, in virtual time, that a clock of the plant with a wrong rate is found, and that no other disturbance is taken for one.</summary>
 public class ClockRateTests
 {
-    static readonly TimeSpan Interval = TimeSpan.FromSeconds(0.2);
-
     [TestCase(0.001)]
     [TestCase(0.5)]
     [TestCase(0.9)]
@@ -16,7 +14,7 @@ public class ClockRateTests
     [TestCase(1.01)]
     [TestCase(2)]
     [TestCase(1000)]
-    public void WrongAt_WrongRate_IsFoundWithinSixSeconds(double rate)
+    public void Wrong_WrongRate_IsFoundWithinSixSeconds(double rate)
     {
         var clock = new SimulatedClock { Rate = rate };
 
@@ -29,7 +27,7 @@ public class ClockRateTests
     [TestCase(0.9)]
     [TestCase(0.997)]
     [TestCase(2)]
-    public void WrongAt_WrongRateOverWiFi_IsFoundWithinAMinuteAndRemains(double rate)
+    public void Wrong_WrongRateOverWiFi_IsFoundWithinAMinuteAndRemains(double rate)
     {
         var clock = new SimulatedClock { Rate = rate, Delay = SimulatedClock.WiFi };
 
@@ -41,18 +39,32 @@ public class ClockRateTests
     }
 
     [Test]
-    public void WrongAt_RateOfARealClock_IsNull([Values] bool isWiFi, [Values(0.9995, 1, 1.0005)] double rate)
+    public void Wrong_RateOfARealClock_IsNull([Values] bool isWiFi, [Values(0.9995, 1, 1.0005)] double rate)
     {
         var clock = new SimulatedClock { Rate = rate, Delay = isWiFi ? SimulatedClock.WiFi : SimulatedClock.Lan };
 
         Assert.That(clock.Count(600, found => found != null), Is.Zero);
     }
 
+    // A time service slews a clock that was wrong by up to 120 ms.
+    [Test]
+    public void Wrong_TimeServiceCorrectsTheClock_IsNull([Values] bool isWiFi, [Values(-2000, -1000, 1000, 2000)] double ppm)
+    {
+        var clock = new SimulatedClock { Delay = isWiFi ? SimulatedClock.WiFi : SimulatedClock.Lan };
+        clock.Run(70);
+
+        clock.Rate = 1 + ppm * 1e-6;
+        var wrong = clock.Count(60, found => found != null);
+        clock.Rate = 1;
+
+        Assert.That(wrong + clock.Count(90, found => found != null), Is.Zero);
+    }
+
     [TestCase(-3600)]
     [TestCase(-0.5)]
     [TestCase(0.005)]
     [TestCase(3)]
-    public void WrongAt_Step_IsNull(double seconds)
+    public void Wrong_Step_IsNull(double seconds)
     {
         var clock = new SimulatedClock();
         clock.Run(30);
@@ -63,7 +75,7 @@ public class ClockRateTests
 
     // Without exchanges, as when the adapter reports that the clock has stopped, and with exchanges that contain the same time.
     [Test]
-    public void WrongAt_Pause_IsNull([Values(0.1, 0.3, 0.9, 1.5, 4, 30)] double seconds, [Values] bool isRead)
+    public void Wrong_Pause_IsNull([Values(0.1, 0.3, 0.9, 1.5, 4, 30)] double seconds, [Values] bool isRead)
     {
         var clock = new SimulatedClock();
         clock.Run(30);
@@ -79,7 +91,7 @@ public class ClockRateTests
     // A busy network: the delay in one direction grows by 100 ms within 50 s, and decreases again.
     [TestCase(true)]
     [TestCase(false)]
-    public void WrongAt_DelayOfOneDirectionGrowsSlowly_IsNull(bool isRequest)
+    public void Wrong_DelayOfOneDirectionGrowsSlowly_IsNull(bool isRequest)
     {
         var clock = new SimulatedClock();
         clock.Delay = (_, isThere) => 0.001 + (isThere == isRequest ? 0.1 * Math.Abs(clock.Seconds % 100 / 50 - 1) : 0);
@@ -87,18 +99,45 @@ public class ClockRateTests
         Assert.That(clock.Count(200, found => found != null), Is.Zero);
     }
 
-    [Test]
-    public void WrongAt_WrongRateOfAClockWithStepsOf10Ms_IsFound()
+    [TestCase(0.9, 10)]
+    [TestCase(0.05, 1)]
+    [TestCase(0.05, 2)]
+    [TestCase(0.1, 4)]
+    [TestCase(0.1, 20)]
+    [TestCase(0.1, 50)]
+    public void Wrong_WrongRateOfAClockWithSteps_IsFound(double rate, double stepMs)
     {
-        var clock = new SimulatedClock { Rate = 0.9, Resolution = TimeSpan.FromMilliseconds(10) };
+        var clock = new SimulatedClock { Rate = rate, Resolution = TimeSpan.FromMilliseconds(stepMs), Interval = 0.05 };
 
         clock.Run(10);
 
-        Assert.That(clock.Found, Is.EqualTo(0.9).Within(0.005));
+        Assert.That(clock.Found, Is.EqualTo(rate).Within(0.03));
+        Assert.That(clock.Count(60, found => found == null), Is.Zero);
+    }
+
+    [TestCase(4)]
+    [TestCase(10)]
+    [TestCase(15.6)]
+    public void Wrong_StepsWithoutAStatedResolution_IsNull(double stepMs)
+    {
+        var clock = new SimulatedClock { Resolution = TimeSpan.FromMilliseconds(stepMs), IsResolutionStated = false };
+
+        Assert.That(clock.Count(300, found => found != null), Is.Zero);
+    }
+
+    [TestCase(0.5, 6)]
+    [TestCase(0.99, 65)]
+    public void Wrong_WrongRateWithoutAStatedResolution_IsFound(double rate, double seconds)
+    {
+        var clock = new SimulatedClock { Rate = rate, Resolution = TimeSpan.FromMilliseconds(10), IsResolutionStated = false };
+
+        clock.Run(seconds);
+
+        Assert.That(clock.Found, Is.EqualTo(rate).Within(0.005));
     }
 
     [Test]
-    public void WrongAt_RateBecomesRight_IsNullAfterSixSeconds([Values(0.5, 0.997, 2)] double rate)
+    public void Wrong_RateBecomesRight_IsNullAfterSixSeconds([Values(0.5, 0.997, 2)] double rate)
     {
         var clock = new SimulatedClock { Rate = rate };
         clock.Run(70);
@@ -111,7 +150,7 @@ public class ClockRateTests
     }
 
     [Test]
-    public void WrongAt_RateVaries_IsFoundWithoutInterruption()
+    public void Wrong_RateVaries_IsFoundWithoutInterruption()
     {
         var clock = new SimulatedClock { Rate = 0.9 };
         clock.Run(6);
@@ -126,14 +165,16 @@ public class ClockRateTests
         Assert.That(lost, Is.Zero);
     }
 
+    // The exchanges are too inaccurate to show that the rate is right.
     [Test]
-    public void WrongAt_NoMoreExchanges_IsNull()
+    public void Wrong_RateBecomesRightBehindASlowNetwork_IsNullWithinThreeMinutes()
     {
-        var clock = new SimulatedClock { Rate = 0.5 };
-        clock.Run(10);
+        var clock = new SimulatedClock { Rate = 0.997 };
+        clock.Run(60);
         var before = clock.Found;
 
-        clock.Pass(2.5);
+        (clock.Rate, clock.Delay) = (1, (random, _) => 0.2 + 0.004 * random.NextDouble());
+        clock.Run(180);
 
         Assert.That(before, Is.Not.Null);
         Assert.That(clock.Found, Is.Null);
@@ -149,10 +190,15 @@ public class ClockRateTests
         public double Rate { get; set; } = 1;
         public TimeSpan Resolution { get; init; } = new(1);
 
+        /// <summary>The time between two exchanges, s.</summary>
+        public double Interval { get; init; } = 0.2;
+
+        public bool IsResolutionStated { get; init; } = true;
+
         /// <summary>The delay in one direction, s; the second argument is true for a request.</summary>
         public Func<Random, bool, double> Delay { get; set; } = Lan;
 
-        public double? Found => _rate.WrongAt(HeadsetTime.FromSeconds(Seconds));
+        public double? Found => _rate.Wrong;
 
         public static double Lan(Random random, bool isThere) => 0.0004 + 0.0002 * random.NextDouble();
 
@@ -170,14 +216,15 @@ public class ClockRateTests
         public int Count(double seconds, Predicate<double?> condition)
         {
             var count = 0;
-            for (var end = Seconds + seconds; Seconds < end; Pass(Math.Min(Interval.TotalSeconds, end - Seconds)))
+            for (var end = Seconds + seconds; Seconds < end; Pass(Math.Min(Interval, end - Seconds)))
             {
                 var asked = Seconds;
                 Pass(Delay(Random, true));
                 var shown = new TimeSpan((long)(_shown * TimeSpan.TicksPerSecond) / Resolution.Ticks * Resolution.Ticks);
                 Pass(Delay(Random, false));
                 _rate.Add(new SyncExchange(
-                    HeadsetTime.FromSeconds(asked), new ControlTime(shown), new ControlTime(shown), HeadsetTime.FromSeconds(Seconds), Resolution));
+                    HeadsetTime.FromSeconds(asked), new ControlTime(shown), new ControlTime(shown), HeadsetTime.FromSeconds(Seconds),
+                    IsResolutionStated ? Resolution : default));
                 if (condition(Found)) count++;
             }
 

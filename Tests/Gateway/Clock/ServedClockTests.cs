@@ -75,6 +75,39 @@ public class ServedClockTests
     }
 
     [Test]
+    public void IsSynchronised_ClockWithAWrongRateIsLost_RemainsFalse()
+    {
+        var plant = new VirtualPlant();
+        plant.Add("plc", 1000, -3000);
+        plant.Run(TimeSpan.FromSeconds(30));
+
+        plant.Pass(TimeSpan.FromSeconds(3));
+
+        Assert.That(plant.Served.IsSynchronised, Is.False);
+        Assert.That(plant.Served.State, Is.EqualTo(ClockState.Converging));
+    }
+
+    [Test]
+    public void IsSynchronised_AnotherAdapterOffersTheClockAtTheRightRate_IsTrueAfterThreeSeconds()
+    {
+        var plant = new VirtualPlant();
+        var plc = plant.Add("plc", 1000, -3000);
+        plant.Run(TimeSpan.FromSeconds(30));
+        var measured = plant.Clocks.Control;
+
+        using var caller = new PlantClockCaller(measured, plant, TimeProvider.System, _ => { });
+        measured.TryAttach(caller);
+        var (isServed, rate) = (plant.Served.IsSynchronised, plant.Served.WrongRate);
+        plc.Skew = 0;
+        plant.Run(TimeSpan.FromSeconds(3));
+
+        Assert.That(isServed, Is.False);
+        Assert.That(rate, Is.Null);
+        Assert.That(plant.Served.IsSynchronised, Is.True);
+        Assert.That((plant.Served.Now - plc.Shown).Duration(), Is.LessThan(TimeSpan.FromMilliseconds(1)));
+    }
+
+    [Test]
     public void AtReceived_InterruptedAfterTheClockIsRead_IsNotTooEarly()
     {
         var own = new InterruptedClock();
@@ -245,6 +278,8 @@ public class ServedClockTests
         readonly HeadsetTime _started = plant.Now;
         ControlTime _start = start;
 
+        public double Skew { get; set; } = skew;
+
         public ControlTime Shown => At(plant.Now);
 
         public void Step(TimeSpan by) => _start += by;
@@ -253,10 +288,10 @@ public class ServedClockTests
         {
             // The exchange is added when the reply arrives, so the request was sent one round-trip time earlier.
             var asked = plant.Now - there - back;
-            measured.Add(new SyncExchange(asked, At(asked + there), At(asked + there), plant.Now));
+            measured.Add(new SyncExchange(asked, At(asked + there), At(asked + there), plant.Now, new TimeSpan(1)));
         }
 
-        ControlTime At(HeadsetTime time) => _start + new TimeSpan((long)((time - _started).Ticks * (1 + skew)));
+        ControlTime At(HeadsetTime time) => _start + new TimeSpan((long)((time - _started).Ticks * (1 + Skew)));
     }
 
     sealed class InterruptedClock : IControlClock
