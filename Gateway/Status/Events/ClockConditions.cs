@@ -11,10 +11,11 @@ static class ClockConditions
 
     static string NameOf(ServedClock clock) => clock.Source == PlantClocks.Own ? EventTexts.OwnClock : EventTexts.ControlClock(clock.Source);
 
+    // Only the control clock affects the gateway's readiness. Samples with stamps of another clock are refused while its rate is wrong.
     static IEnumerable<Condition> OfRates(ServedClock clock) =>
         from one in clock.Status()
         where one.WrongRate != null
-        select new Condition("clock", one.Name, EventTexts.RunsAtWrongRate, "", Level.Error, true)
+        select new Condition("clock", one.Name, EventTexts.RunsAtWrongRate, "", Level.Error, one.IsControlClock)
         {
             Headline = EventTexts.ClockAtWrongRate(one.Name, one.WrongRate.Value),
             Remedy = EventRemedies.ClockRate,

@@ -29,7 +29,7 @@ public class ClockFaultTests
         await _gateway.StartAsync();
         _gateway.Publish("a");
         (_time, _shown) = (_gateway.Server.PlantClocks.Counter.Now + Later, Gateways.Start);
-        Run(0.5, 10);
+        Run("plc", 0.5, 10);
         _gateway.Report("goggles", ("pose", "unsynchronised"));
         var headline = EventTexts.ClockAtWrongRate("plc", 0.5);
 
@@ -52,7 +52,7 @@ public class ClockFaultTests
         while (!status.Contains(headline, StringComparison.Ordinal));
         Assert.That(status, Does.Contain(EventRemedies.ClockRate));
 
-        Run(1, 30);
+        Run("plc", 1, 30);
 
         await _gateway.EndsAsync("clock", "plc");
         Assert.That(await _gateway.ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
@@ -60,10 +60,23 @@ public class ClockFaultTests
         Assert.That(_gateway.Log.Count(line => line.Contains(headline, StringComparison.Ordinal)), Is.EqualTo(2), string.Join('\n', _gateway.Log));
     }
 
-    void Run(double rate, double seconds)
+    [Test]
+    public async Task OtherClock_AtHalfSpeed_IsAnEventOfAGatewayThatIsReady()
+    {
+        await _gateway.StartAsync();
+        _gateway.Publish("a");
+        (_time, _shown) = (_gateway.Server.PlantClocks.Counter.Now + Later, Gateways.Start);
+        Run("plc", 1, 10);
+        Run("cell", 0.5, 10);
+
+        await _gateway.BeginsAsync("clock", "cell");
+        Assert.That(await _gateway.ReadyAsync(HttpStatusCode.OK), Is.EqualTo(new[] { "ready" }));
+    }
+
+    void Run(string clock, double rate, double seconds)
     {
         var (delay, interval) = (TimeSpan.FromMilliseconds(1), TimeSpan.FromSeconds(0.2));
         for (var end = _time + TimeSpan.FromSeconds(seconds); _time < end; _time += interval, _shown += interval * rate)
-            _gateway.Server.PlantClocks.Find("plc").Add(new SyncExchange(_time - delay, _shown, _shown, _time + delay));
+            _gateway.Server.PlantClocks.Find(clock).Add(new SyncExchange(_time - delay, _shown, _shown, _time + delay));
     }
 }
