@@ -24,10 +24,13 @@ sealed record Condition(
     /// <summary>Instruction for the operator as a sentence; empty if the reason contains it.</summary>
     public string Remedy { get; init; } = "";
 
-    /// <summary>Whether the condition is normal for a short time after the start of the gateway, or of the client that reports it.</summary>
+    /// <summary>Whether the condition is normal for a short time after this start, see <see cref="Age"/>.</summary>
     public bool IsNormalAtStart { get; init; }
 
-    /// <summary>Time since the start of the client that reports the condition; null for the time since the start of the gateway.</summary>
+    /// <summary>
+    /// Time since the start of the client that reports the condition, or since it connected to its plant; null for the time since the start of the
+    /// gateway.
+    /// </summary>
     public TimeSpan? Age { get; init; }
 
     /// <summary>Identifies the event. Conditions with the same key belong to the same event.</summary>

@@ -1,3 +1,4 @@
+using System.Collections.Concurrent;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Plants;
@@ -25,6 +26,9 @@ sealed class Conditions(
 
     static readonly string[] CurrentPoses = ["current", "coarse"];
 
+    // Last time at which each adapter was not connected, for adapters that are not, or were not until recently.
+    readonly ConcurrentDictionary<string, long> _unconnected = new();
+
     /// <summary>State of each adapter that this gateway started.</summary>
     public IReadOnlyList<Func<AdapterState>> Adapters { get; set; } = [];
 
@@ -36,12 +40,14 @@ sealed class Conditions(
         // The joints, frames and signals of an adapter that is not connected have the same fault as the adapter, and a wrong rate of the control
         // clock makes all joints faulty.
         var unconnected = reports.Where(one => NotConnectedReason(one) != null).Select(one => StatusObjects.AdapterName(one.Name)).ToHashSet();
+        NoteUnconnected(unconnected);
         var faulty = joints.Where(row => !row.IsGood).ToLookup(row => unconnected.Contains(row.Source));
         return
         [
             .. reports.SelectMany(one => OfConnection(one, faulty[true])).Concat(ClockConditions.Of(clock)).Concat(OfSources(joints))
                 .Concat(OfAdapters(reports))
-                .Concat(faulty[false].Where(row => row.ReasonWord != JointFaultReasons.ClockRate).Select(Of)).Concat(OfUncertainRests(joints))
+                .Concat(faulty[false].Where(row => row.ReasonWord != JointFaultReasons.ClockRate).Select(row => Of(row) with { Age = ConnectionTime(row) }))
+                .Concat(OfUncertainRests(joints))
                 .Concat(OfCell("frame", AdapterReport.FramePrefix, unconnected)).Concat(OfCell("signal", AdapterReport.SignalPrefix, unconnected))
                 .Concat(OfFrames(joints, unconnected)).Concat(OfSignals(unconnected))
                 .Concat(reports.SelectMany(Of)).Concat(refusals.Read()).Concat(limits.Invalid.Select(OfDescription)).Concat(OfLimits(joints)).Concat(OfRecording())
@@ -49,6 +55,16 @@ sealed class Conditions(
                 .DistinctBy(condition => condition.Key).OrderByDescending(condition => condition.Level),
         ];
     }
+
+    void NoteUnconnected(IEnumerable<string> names)
+    {
+        foreach (var name in names) _unconnected[name] = options.Time.GetTimestamp();
+        foreach (var (name, last) in _unconnected)
+            if (options.Time.GetElapsedTime(last) > EventList.StartGrace) _unconnected.TryRemove(name, out _);
+    }
+
+    // Until the first samples after a lost connection, joints are missing as they are at the start.
+    TimeSpan? ConnectionTime(JointSnapshot row) => _unconnected.TryGetValue(row.Source, out var last) ? options.Time.GetElapsedTime(last) : null;
 
     internal static Condition Of(JointSnapshot row) =>
         new(

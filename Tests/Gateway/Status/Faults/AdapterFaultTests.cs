@@ -1,4 +1,5 @@
 using System.Net;
+using System.Text.Json;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Plants;
@@ -126,6 +127,26 @@ public class AdapterFaultTests
         Assert.That(
             await _gateway.ReadyAsync(HttpStatusCode.ServiceUnavailable),
             Has.Length.EqualTo(3).And.Some.StartsWith($"joint a (press) {EventTexts.IsMissing}"));
+    }
+
+    [Test]
+    public async Task Adapter_ConnectsAgain_AddsAnEventOfAJointOnlyIfItRemainsMissing()
+    {
+        await _gateway.StartAsync();
+        _gateway.Time.Advance(2 * EventList.StartGrace);
+        void Report(string state) => _gateway.Report(
+            "adapter/press", ("state", state), ("samples", "7"), ("joint/a", $"missing {_gateway.Since()} no value yet"));
+        Report("waiting");
+        await _gateway.BeginsAsync("adapter", "press");
+
+        Report("connected");
+        await _gateway.EndsAsync("adapter", "press");
+        var first = await _gateway.EventAsync("joint", "a (press)");
+        _gateway.Time.Advance(1.1 * EventList.StartGrace);
+        Report("connected");
+
+        Assert.That(first.ValueKind, Is.EqualTo(JsonValueKind.Undefined));
+        await _gateway.BeginsAsync("joint", "a (press)");
     }
 
     [Test]
