@@ -19,9 +19,10 @@ static class ReplayMessages
         FormattableString.Invariant($"the rows are {intervalMs:G6} ms apart (median), but a sample is taken every {samplingMs:G6} ms: samples ")
         + "between rows are interpolated, so the error of the predictors is too small; check that the time is in s, or increase --sampling-ms";
 
-    public static string Gaps(int count, double longestSeconds) =>
-        FormattableString.Invariant($"the recording has gaps: {count}, the longest of {longestSeconds:G4} s. No sample is taken in them, and ")
-        + "no frame is evaluated until the next sample has arrived; record the motion without interruptions";
+    public static string Gaps(int count, double minSeconds, double largestSeconds) =>
+        (count == 1 ? "1 interval without rows is" : FormattableString.Invariant($"{count} intervals without rows are"))
+        + FormattableString.Invariant($" longer than {minSeconds} s (largest {largestSeconds:0.0} s); the motion in ")
+        + (count == 1 ? "it is a straight line" : "them is a straight line");
 
     public static string TooShort(double seconds, double neededSeconds) =>
         FormattableString.Invariant($"{seconds:G6} s is too short: a frame is evaluated only after sample 4 has arrived, which takes up ")

@@ -27,7 +27,7 @@ sealed class RecordingTraits
         _samplingMs = samplingMs;
         var moving = joints.Where(joint => joint.Positions.Count > 1).ToList();
         // All joints of a motion have the same times.
-        if (samplingMs != null && moving.Count > 0) _gaps = new RecordingGaps(moving[0].Times, samplingMs.Value / 1e3).Warning;
+        if (samplingMs != null && moving.Count > 0) _gaps = RecordingGaps.WarningOf(moving[0].Times, [.. moving.Select(joint => joint.Positions)]);
         Duration = moving.Select(joint => joint.Times[^1] - joint.Times[0]).DefaultIfEmpty().Max();
         var intervals = moving.SelectMany(joint => joint.Times.Zip(joint.Times.Skip(1), (a, b) => b - a)).ToList();
         if (intervals.Count > 0)

@@ -41,8 +41,8 @@ public sealed class BodyReplay
         _path = path;
         _settings = settings;
         _truth = new BodyTruth(recording);
-        _loop = new ReplayLoop(path, recording.Times, Errors, settings);
-        _newPredictor = newPredictor ?? (() => new BodyPredictor(settings.Predictor, _loop.Gaps.Limits, settings.Blend ?? 0));
+        _loop = new ReplayLoop(path, recording.Duration, Errors, settings);
+        _newPredictor = newPredictor ?? (() => new BodyPredictor(settings.Predictor, PredictionLimits.Unlimited, settings.Blend ?? 0));
     }
 
     /// <summary>The axes of <see cref="Scored"/>. The angle is that from the true rotation.</summary>

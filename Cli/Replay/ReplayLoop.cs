@@ -21,20 +21,17 @@ sealed class ReplayLoop
     readonly ReplaySettings _settings;
 
     /// <param name="path">Path of the recording, for error messages.</param>
-    /// <param name="times">Times of the rows, increasing, s.</param>
+    /// <param name="duration">Duration of the recording, s.</param>
     /// <param name="axes">Number of scored values per frame.</param>
     /// <exception cref="InputException">The recording is too long to replay.</exception>
-    public ReplayLoop(string path, IReadOnlyList<double> times, int axes, ReplaySettings settings)
+    public ReplayLoop(string path, double duration, int axes, ReplaySettings settings)
     {
         _path = path;
-        _duration = times[^1];
+        _duration = duration;
         _axes = axes;
         _settings = settings;
         RequireMaxLength();
-        Gaps = new RecordingGaps(times, settings.SamplingInterval);
     }
-
-    public RecordingGaps Gaps { get; }
 
     /// <summary>Number of frames of all passes over the recording.</summary>
     public int Frames => FramesPerPass * _settings.Phases;
@@ -58,7 +55,7 @@ sealed class ReplayLoop
         for (var phase = 0; phase < _settings.Phases && !cancellation.IsCancellationRequested; phase++)
         {
             start();
-            var (flow, passed) = (new SampleFlow(_duration, positionsAt, Gaps, _settings), phase * FramesPerPass);
+            var (flow, passed) = (new SampleFlow(_duration, positionsAt, _settings), phase * FramesPerPass);
             frames += RunPass(phase, flow, take, score, i => report?.Invoke(passed + i), cancellation);
         }
         if (frames > 0) return frames;
@@ -70,17 +67,17 @@ sealed class ReplayLoop
         int phase, SampleFlow flow, Action<SampleFlow.Sample> take, Action<double> score, Action<int> report, CancellationToken cancellation)
     {
         var delay = phase / (_settings.Phases * _settings.FrameRateHz);
-        var (end, frames, newest) = (Ticks.Of(_duration), 0, double.NegativeInfinity);
+        var (end, frames, anyArrived) = (Ticks.Of(_duration), 0, false);
         for (var i = 0; Ticks.Of(i / _settings.FrameRateHz + delay) <= end && !cancellation.IsCancellationRequested; i++)
         {
             if (i % FramesPerReport == 0) report(i);
             var time = i / _settings.FrameRateHz + delay;
             while (flow.TryTake(time, out var sample))
             {
-                newest = Math.Max(newest, sample.Time);
+                anyArrived = true;
                 take(sample);
             }
-            if (double.IsInfinity(newest) || !flow.ScoringHasStarted(time) || Gaps.Separates(newest, time)) continue;
+            if (!anyArrived || !flow.ScoringHasStarted(time)) continue;
             score(time);
             frames++;
         }
@@ -100,7 +97,7 @@ sealed class ReplayLoop
         var needed = 4 * _settings.SamplingInterval + _settings.Latency + _settings.Jitter + 1 / _settings.FrameRateHz;
         var cause = _duration < needed
             ? ReplayMessages.TooShort(_duration, needed)
-            : Gaps.Warning ?? ReplayMessages.AllLost(_settings.Loss);
+            : ReplayMessages.AllLost(_settings.Loss);
         return new InputException($"{_path}: {cause}");
     }
 }

@@ -28,8 +28,8 @@ public sealed class ReplayRun
         _path = path;
         _recording = recording;
         _settings = settings;
-        _loop = new ReplayLoop(path, recording.Times, recording.Names.Count, settings);
-        _newPredictor = newPredictor ?? (() => Predictors.Create(settings.Predictor, _loop.Gaps.Limits, settings.Blend ?? 0));
+        _loop = new ReplayLoop(path, recording.Duration, recording.Names.Count, settings);
+        _newPredictor = newPredictor ?? (() => Predictors.Create(settings.Predictor, PredictionLimits.Unlimited, settings.Blend ?? 0));
         _predictors = new JointPredictor[recording.Names.Count];
         _errors = new ReplayErrors(AxesOf(recording));
         _truth = new double[recording.Names.Count];

@@ -15,7 +15,7 @@ static class RowInterval
 
     /// <summary>Gets the warnings of a replay, about rows that are too far apart, and about gaps.</summary>
     public static IEnumerable<string> WarningsOf(MotionRecording motion, double samplingMs) =>
-        new[] { WarningOf(motion, samplingMs), new RecordingGaps(motion.Times, samplingMs / 1e3).Warning }.Where(warning => warning != null);
+        new[] { WarningOf(motion, samplingMs), RecordingGaps.WarningOf(motion) }.Where(warning => warning != null);
 
     /// <summary>Gets the warning that samples are interpolated between rows of a motion; null if the rows are dense enough.</summary>
     public static string WarningOf(MotionRecording motion, double samplingMs) => WarningOf(Of(motion.Times), samplingMs);

@@ -8,7 +8,6 @@ sealed class SampleFlow
     const int FirstScoredSample = 4;
 
     readonly Func<double, double[]> _positionsAt;
-    readonly RecordingGaps _gaps;
     readonly ReplaySettings _settings;
     readonly PriorityQueue<Sample, (long Arrival, long Index)> _underWay = new();
     readonly RandomStream _jitter;
@@ -20,11 +19,9 @@ sealed class SampleFlow
 
     /// <param name="duration">Duration of the recording, s.</param>
     /// <param name="positionsAt">Returns the sample values at a given time since the start of the recording, as a new array.</param>
-    /// <param name="gaps">Gaps of the recording, in which no sample is taken.</param>
-    public SampleFlow(double duration, Func<double, double[]> positionsAt, RecordingGaps gaps, ReplaySettings settings)
+    public SampleFlow(double duration, Func<double, double[]> positionsAt, ReplaySettings settings)
     {
         _positionsAt = positionsAt;
-        _gaps = gaps;
         _settings = settings;
         _end = Ticks.Of(duration);
         _jitter = new RandomStream(settings.Seed, 1);
@@ -64,7 +61,6 @@ sealed class SampleFlow
         var arrival = Ticks.Of(time + _settings.Latency + _settings.Jitter * _jitter.Next());
         var lost = _loss.Next() < _settings.Loss;
         if (index == FirstScoredSample) _scoringStart = arrival;
-        if (lost || _gaps.Includes(time)) return;
-        _underWay.Enqueue(new Sample(time, stamp, _positionsAt(time)), (arrival, index));
+        if (!lost) _underWay.Enqueue(new Sample(time, stamp, _positionsAt(time)), (arrival, index));
     }
 }

@@ -76,7 +76,7 @@ public class RecordingTraitsTests
 
         var traits = new RecordingTraits([new JointSeries("a", times, [.. times.Select(Math.Sin)])], samplingMs: 50);
 
-        Assert.That(traits.Warnings(), Is.EqualTo(new[] { ReplayMessages.Gaps(1, 2.01) }));
+        Assert.That(traits.Warnings(), Is.EqualTo(new[] { ReplayMessages.Gaps(1, 0.5, 2.01) }));
     }
 
     [Test]

@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Replay;
 
-/// <summary>Tests the replay of a motion whose recording was interrupted.</summary>
+/// <summary>Tests the replay of a motion with long intervals without rows.</summary>
 public class ReplayGapTests
 {
     const double GapStart = 10, GapEnd = 13;
@@ -17,47 +17,65 @@ public class ReplayGapTests
     [TearDown]
     public void DeleteFolder() => Directory.Delete(_folder, recursive: true);
 
-    string Motion(string header, Func<double, string> row, double gapEnd = GapEnd)
+    // A row every 10 ms for 23 s. Between the ends of the gap, the motion is a straight line.
+    string Motion(string header, Func<double, string> row, bool hasRowsInGap = false, double interval = 0.01)
     {
         var path = Path.Combine(_folder, "motion.csv");
-        var times = Enumerable.Range(0, 2301).Select(i => i / 100.0).Where(t => t <= GapStart || t >= gapEnd);
+        var times = Enumerable.Range(0, (int)(23 / interval) + 1).Select(i => i * interval).Where(t => t <= GapStart || t >= GapEnd || hasRowsInGap);
         File.WriteAllLines(path, [header, .. times.Select(t => FormattableString.Invariant($"{t},") + row(t))]);
         return path;
     }
 
-    static string Swing(double t) => FormattableString.Invariant($"{Math.Sin(2 * t)}");
+    static double Line(double t) =>
+        t is > GapStart and < GapEnd ? (Math.Sin(2 * GapStart) * (GapEnd - t) + Math.Sin(2 * GapEnd) * (t - GapStart)) / (GapEnd - GapStart) : Math.Sin(2 * t);
 
-    static string Shift(double t) => FormattableString.Invariant($"{Math.Sin(2 * t)},0,0,0,0,0,1");
+    static string Swing(double t) => FormattableString.Invariant($"{Line(t)}");
 
-    [TestCase("t,a")]
-    [TestCase("t_s,x,y,z,qx,qy,qz,qw")]
-    public async Task Replay_RecordingWithAGap_ScoresNoFrameInItAndWarns(string header)
+    static string Shift(double t) => FormattableString.Invariant($"{Line(t)},0,0,0,0,0,1");
+
+    static async Task<(JsonElement Result, string[] Warnings)> Replay(string path, string predictor = "quadratic")
     {
-        var path = Motion(header, header == "t,a" ? Swing : Shift);
-
-        var run = await CliRun.OfAsync("replay", path, "--predictor", "quadratic", "--json");
-
+        var run = await CliRun.OfAsync("replay", path, "--predictor", predictor, "--json");
         Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
         using var json = JsonDocument.Parse(run.Output);
-        // Scoring starts after 0.3 s. No frame counts from the start of the gap until the first sample after it has arrived.
-        var expected = 60 * (23 - 0.3) + 1 - 60 * (GapEnd + 0.1 - GapStart) + 1;
-        Assert.That(json.RootElement.GetProperty("frames").GetInt32(), Is.EqualTo(expected).Within(1));
-        Assert.That(run.Complaints, Has.Length.EqualTo(1).And.Some.Contain(ReplayMessages.Gaps(1, GapEnd - GapStart)));
+        return (json.RootElement.Clone(), run.Complaints);
+    }
+
+    [TestCase("hold")]
+    [TestCase("quadratic")]
+    [TestCase("adaptive")]
+    public async Task Replay_RecordingWithAGap_EqualsTheStraightLineInIt(string predictor)
+    {
+        var (gap, warnings) = await Replay(Motion("t,a", Swing), predictor);
+        var (line, none) = await Replay(Motion("t,a", Swing, hasRowsInGap: true), predictor);
+
+        Assert.That(gap.GetProperty("frames").GetInt32(), Is.EqualTo(line.GetProperty("frames").GetInt32()).And.EqualTo(23 * 60 + 1 - 18));
+        Assert.That(gap.GetProperty("rms").GetDouble(), Is.EqualTo(line.GetProperty("rms").GetDouble()).Within(1e-9));
+        Assert.That(warnings, Has.Length.EqualTo(1).And.Some.Contain(ReplayMessages.Gaps(1, 0.5, 3)));
+        Assert.That(none, Is.Empty);
     }
 
     [Test]
-    public async Task Replay_Gap_ErrorIsThatOfTheMotionWithoutIt()
+    public async Task Replay_BodyWithAGap_Warns()
     {
-        var gap = await RmsOf(Motion("t,a", Swing), "hold");
-        var whole = await RmsOf(Motion("t,a", Swing, gapEnd: GapStart), "hold");
+        var (_, warnings) = await Replay(Motion("t_s,x,y,z,qx,qy,qz,qw", Shift));
 
-        Assert.That(gap, Is.EqualTo(whole).Within(0.02 * whole), "without compensation, a straight line has another error");
+        Assert.That(warnings, Has.Length.EqualTo(1).And.Some.Contain(ReplayMessages.Gaps(1, 0.5, 3)));
     }
 
-    static async Task<double> RmsOf(string path, string predictor)
+    [Test]
+    public async Task Replay_RestWithoutRows_DoesNotWarn()
     {
-        var run = await CliRun.OfAsync("replay", path, "--predictor", predictor, "--json");
-        using var json = JsonDocument.Parse(run.Output);
-        return json.RootElement.GetProperty("rms").GetDouble();
+        var (_, warnings) = await Replay(Motion("t,a", t => FormattableString.Invariant($"{Math.Min(t, GapStart) + Math.Max(0, t - GapEnd)}")));
+
+        Assert.That(warnings, Is.Empty);
+    }
+
+    [Test]
+    public async Task Replay_FewRows_DoesNotWarnOfAGap()
+    {
+        var (_, warnings) = await Replay(Motion("t,a", Swing, interval: 0.5));
+
+        Assert.That(warnings, Has.Length.EqualTo(1).And.Some.Contain(ReplayMessages.CoarseRows(500, 50)));
     }
 }
