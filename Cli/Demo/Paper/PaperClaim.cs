@@ -16,9 +16,13 @@ sealed record PaperClaim(string Figure, string Claim, double? Paper, double? Mea
     /// <summary>The measured value of each complete repeat; null for a repeat without a value.</summary>
     public IReadOnlyList<double?> Repeats { get; init; } = [];
 
-    /// <summary>Whether the value is a part of a whole, so that it lies between 0 and 1.</summary>
+    /// <summary>Smallest possible value; 0 for a share of a whole. A reduction may be negative.</summary>
     [JsonIgnore]
-    public bool IsPart { get; init; }
+    public double Min { get; init; } = double.NegativeInfinity;
+
+    /// <summary>Largest possible value; 1 for a share of a whole and for a reduction.</summary>
+    [JsonIgnore]
+    public double Max { get; init; } = double.PositiveInfinity;
 
     /// <summary>Reason why some or all of the repeats have no value; null if all have one.</summary>
     public string NotMeasured { get; init; }
@@ -41,9 +45,8 @@ sealed record PaperClaim(string Figure, string Claim, double? Paper, double? Mea
     [JsonIgnore]
     public string PaperText => Paper is double value ? Text(value) : "";
 
-    // A part of a whole is between 0 and 1, so its interval is, too.
-    string Interval(double value, double half) => IsPart && (value - half < 0 || value + half > 1)
-        ? PaperClaimTexts.Clipped(Text(value), Text(Math.Max(0, value - half)), Text(Math.Min(1, value + half)))
+    string Interval(double value, double half) => value - half < Min || value + half > Max
+        ? PaperClaimTexts.Clipped(Text(value), Text(Math.Max(Min, value - half)), Text(Math.Min(Max, value + half)))
         : $"{Text(value)} ± {Text(half)}";
 
     string Text(double value) => Unit == "ms" ? Figures.Numbers.Text(value) + " ms" : Figures.Numbers.Percent(value);

@@ -14,7 +14,7 @@ static class PaperClaims
 
     static readonly PaperRule[] Rules =
     [
-        new("8", FitErrors.Claim, 1, Share, m => m.Clock?.FitShare, share => share >= FitErrors.MinShare) { IsPart = true },
+        new("8", FitErrors.Claim, 1, Share, m => m.Clock?.FitShare, share => share >= FitErrors.MinShare) { Min = 0, Max = 1 },
         new("8", PaperClaimTexts.Offset, null, Ms,
             m => m.Clock?.OffsetErrorMs, ms => ms < 1),
         new("8", PaperClaimTexts.Skew, null, Share,
@@ -25,7 +25,7 @@ static class PaperClaims
         GapAt(0, "A"), GapAt(1, "B"), GapAt(2, "C"),
         new("18", PaperClaimTexts.Latency, 4, Ms, m => m.LightErrorMs, ms => ms < 4),
         OfSwings("18", PaperClaimTexts.Reduction, 0.8,
-            swings => swings.Reduction, reduction => reduction >= 0.75) with { IsPart = true },
+            swings => swings.Reduction, reduction => reduction >= 0.75) with { Max = 1 },
         OfSwings("18", PaperClaimTexts.EffectiveLatency, null,
             swings => swings.LatencyRatio, ratio => ratio < 1 / 3.0),
     ];
@@ -53,7 +53,8 @@ static class PaperClaims
         return new(rule.Figure, rule.Claim, rule.Paper, mean, uncertainty, rule.Unit, isMetBelow && isMetAbove)
         {
             Repeats = measured,
-            IsPart = rule.IsPart,
+            Min = rule.Min,
+            Max = rule.Max,
             IsUndecided = isMetBelow != isMetAbove,
             NotMeasured = values.Length == repeats.Count ? null
                 : PaperClaimTexts.NotInAll(values.Length, repeats.Count, ReasonOf(rule, repeats)),
@@ -82,6 +83,9 @@ sealed record PaperRule(string Figure, string Claim, double? Paper, string Unit,
     /// <summary>Whether the value is measured over whole swings.</summary>
     public bool NeedsSwings { get; init; }
 
-    /// <inheritdoc cref="PaperClaim.IsPart"/>
-    public bool IsPart { get; init; }
+    /// <inheritdoc cref="PaperClaim.Min"/>
+    public double Min { get; init; } = double.NegativeInfinity;
+
+    /// <inheritdoc cref="PaperClaim.Max"/>
+    public double Max { get; init; } = double.PositiveInfinity;
 }

@@ -133,4 +133,14 @@ public class PaperClaimsTests
         Assert.That(claim.Uncertainty, Is.EqualTo(0.336).Within(1e-3));
         Assert.That(claim.MeasuredText, Is.EqualTo("74 % (40.4 % to 100 %)"));
     }
+
+    // Standard deviation 0.05, so the interval is the mean ± 0.124.
+    [TestCase(0.95, "95 % (82.6 % to 100 %)")]
+    [TestCase(0.05, "5 % ± 12.4 %")]
+    public void Claims_IntervalOfAReduction_IsClippedOnlyAt100Percent(double mean, string expected)
+    {
+        var repeats = new[] { mean - 0.05, mean, mean + 0.05 }.Select(each => Good with { Swings = Good.Swings with { Reduction = each } }).ToList();
+
+        Assert.That(PaperClaims.Of(repeats).Single(each => each.Paper == 0.8).MeasuredText, Is.EqualTo(expected));
+    }
 }
