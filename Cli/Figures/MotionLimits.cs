@@ -31,5 +31,8 @@ readonly record struct MotionLimits(double Velocity, double Acceleration, double
     /// <summary>Creates a move of 500 mm with these limits.</summary>
     public SevenPhaseProfile Move() => new(Stroke, Velocity, Acceleration, Jerk);
 
+    /// <summary>The limits with their units.</summary>
+    public string Text => FigurePageTexts.Limits(Velocity, Acceleration, Jerk);
+
     public override string ToString() => string.Create(CultureInfo.InvariantCulture, $"{Velocity},{Acceleration},{Jerk}");
 }

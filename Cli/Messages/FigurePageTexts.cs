@@ -15,9 +15,15 @@ static class FigurePageTexts
     public const string Latency = "Latency L, from t_k to the display time";
     public const string Motion = "Motion of Figs 12 to 14";
 
-    public const string MotionValue =
-        "500 mm forward and back, 1000 mm/s, 5000 mm/s², 50 000 mm/s³ (Figs 13 and 14: --limits), 0.4 s dwell; we chose the limits, "
-        + "because the paper states none";
+    public static string MotionValue(string limits, string sweepLimits) =>
+        $"500 mm forward and back, {(sweepLimits == limits ? limits : $"Fig. 12: {limits}, Figs 13 and 14: {sweepLimits} (option --limits)")}, "
+        + "0.4 s dwell; we chose the limits, because the paper states none";
+
+    public static string Limits(double velocity, double acceleration, double jerk) =>
+        FormattableString.Invariant($"{velocity:G6} mm/s, {acceleration:G6} mm/s², {jerk:G6} mm/s³");
+
+    public static string OtherLimits(string limits, string standard) =>
+        $"Figs 13 and 14 use other limits than the default: {limits} instead of {standard}.";
 
     public static string Runs(int phases, int clockRuns, string clockSeconds) =>
         $"{phases} with random phases of sampling and frames; clock: {clockRuns} runs of {clockSeconds} s each";

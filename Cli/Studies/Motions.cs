@@ -11,14 +11,16 @@ public static class Motions
     /// <remarks>The paper does not state the limits, so these values are assumptions.</remarks>
     internal static SevenPhaseProfile PaperMove { get; } = new(500, 1000, 5000, 50_000);
 
+    /// <summary>Dwell of the swing after each move, s.</summary>
+    const double SwingDwell = 0.4;
+
     /// <summary>Repeats <see cref="PaperMove"/> forward and backward endlessly, with dwells of 0.4 s.</summary>
     public static AxisMotion PaperSwing(double seconds = 12) => Swing(PaperMove, seconds);
 
     /// <summary>Repeats a move of 500 mm forward and backward endlessly, with dwells of 0.4 s.</summary>
     internal static AxisMotion Swing(SevenPhaseProfile move, double seconds)
     {
-        const double dwell = 0.4;
-        var half = move.Duration + dwell;
+        var half = SwingPeriod(move) / 2;
         return new AxisMotion("paper's swing", seconds, t =>
         {
             if (t <= 0) return 0;
@@ -26,6 +28,9 @@ public static class Motions
             return inCycle < half ? move.PositionAt(inCycle) : 500 - move.PositionAt(inCycle - half);
         });
     }
+
+    /// <summary>Gets the time after which the swing with a move repeats, s.</summary>
+    internal static double SwingPeriod(SevenPhaseProfile move) => 2 * (move.Duration + SwingDwell);
 
     /// <summary>Creates fast moves from rest to rest, each with new random limits and a new random stroke.</summary>
     public static AxisMotion FastMoves(int seed, double seconds = 30) => RandomMoves("fast 7-phase moves", seed, seconds, random => new Limits(

@@ -83,7 +83,7 @@ sealed class SweepStudy : IFigureStudy
     string Beyond(SweepClaims claims, SweepData swing, SweepData random)
     {
         string Of(string name) => SweepFigureTexts.Leaves(name, Shares(name, swing, i => swing.RmsMm("quadratic")[i]), Shares(name, swing, i => claims.Compared.Min(other => swing.RmsMm(other)[i])), Shares(name, random, i => random.RmsMm("quadratic")[i]));
-        return SweepFigureTexts.Beyond(string.Concat(_ours.Select(Of)));
+        return SweepFigureTexts.Beyond(string.Concat(_ours.Select(Of)), Motions.SwingPeriod(_limits.Move()));
     }
 
     static string Shares(string name, SweepData data, Func<int, double> of)

@@ -1,6 +1,7 @@
 using System.Text.RegularExpressions;
 using System.Xml.Linq;
 using Nowpose.Cli.Figures;
+using Nowpose.Cli.Messages;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
@@ -89,6 +90,20 @@ public partial class FiguresVerbTests
         Assert.That(status, Is.EqualTo(130));
         Assert.That(File.Exists(Path.Combine(_folder, "figures.html")), Is.True);
         Assert.That(Directory.GetFiles(_folder, "*.csv"), Is.Empty);
+    }
+
+    [Test]
+    public async Task Run_OtherLimits_AreStatedOnThePageAndAtTheEnd()
+    {
+        using var cancelled = new CancellationTokenSource();
+        cancelled.Cancel();
+        var settings = Least with { Limits = new(1000, 2500, 12_500) };
+
+        var (_, output, _) = await CapturedConsole.OfAsync(() => Task.FromResult(FiguresVerb.Run(settings, _folder, pictures: null, cancelled.Token)));
+
+        Assert.That(output, Does.Contain(FigurePageTexts.OtherLimits("1000 mm/s, 2500 mm/s², 12500 mm/s³", MotionLimits.Default.Text)));
+        Assert.That(FiguresJson.Of([], settings), Does.Contain("2500 mm/s"));
+        Assert.That(FiguresJson.Of([], Least), Does.Not.Contain("--limits"));
     }
 
     [TestCase("--out", "/dev/null/x", "--out: /dev/null/x: cannot be written")]

@@ -2,6 +2,7 @@ using Nowpose.Cli.Figures;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Figures.Sweeps;
 using Nowpose.Cli.Messages;
+using Nowpose.Cli.Studies;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
@@ -58,6 +59,11 @@ public class SweepStudyTests
         Assert.That(Ratio("13a", 50, "cubic"), Is.GreaterThan(Ratio("13a", 50, "quadratic")), Seed);
         Assert.That(figure.Conditions, Is.EqualTo(SweepFigureTexts.Conditions(figure.Table.Columns[0].Label, 1000, 2500, 12_500)));
     }
+
+    [TestCase(1000, 5000, 50_000, 2.4)]
+    [TestCase(500, 5000, 50_000, 3.2)]
+    public void SwingPeriod_Limits_IsTwoMovesAndTwoDwells(double velocity, double acceleration, double jerk, double expected) =>
+        Assert.That(Motions.SwingPeriod(new MotionLimits(velocity, acceleration, jerk).Move()), Is.EqualTo(expected).Within(1e-9));
 
     [TestCase("14a", 10, .113, .126)]
     [TestCase("14a", 50, .328, .404)]
