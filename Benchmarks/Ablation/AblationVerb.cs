@@ -26,6 +26,11 @@ static class AblationVerb
         {
             recordings, heldOut,
         };
+        command.Validators.Add(result =>
+        {
+            if (result.GetResult(heldOut) != null && result.GetResult(recordings) != null)
+                result.AddError("--recordings: --held-out uses only simulated motions; remove one of the two options.");
+        });
         command.SetAction((parsed, stop) =>
         {
             if (parsed.GetValue(heldOut) is int sets) WriteHeldOut(sets, stop);
