@@ -1,6 +1,6 @@
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The conditions of a demo run, as in result.json: the version of the program, and every setting on which the result depends.</summary>
+/// <summary>The conditions of a demo run, as in result.json: the version of the program, and the main settings.</summary>
 /// <param name="VisuErrorMs">Assumed minus true display latency, ms; null if the headset calibrates the latency under load.</param>
 sealed record DemoConditions(
     string Version, string Robot, string Motion, string Network, string Predictor, double BlendMs, string Estimator, double SamplingMs,
