@@ -10,10 +10,6 @@ public readonly record struct ErrorComparison(double RmsHold, double Rms, double
     /// <summary>1 − Rms / RmsHold; null if hold has no error.</summary>
     public double? Reduction => ErrorReduction.Of(Rms, RmsHold);
 
-    /// <summary>Gets the comparisons of the collectors that have frames.</summary>
-    internal static IReadOnlyList<ErrorComparison> OfEach(IEnumerable<ErrorCollector> passes, double scale = 1) =>
-        [.. passes.Where(pass => pass.Count > 0).Select(pass => pass.Result(scale))];
-
     /// <summary>Compares the errors of all frames; null if there are none.</summary>
     /// <param name="errors">The error of hold and that of the displayed value in each frame.</param>
     internal static ErrorComparison? Of(IEnumerable<(double Hold, double Displayed)> errors)

@@ -4,7 +4,9 @@ namespace Nowpose.Cli.Messages;
 static class OptionValueMessages
 {
     public static string Limits(string option, string value) =>
-        $"{option}: '{value}' is not three numbers from 1 to 1e9, separated by commas, for example 1000,5000,50000";
+        $"{option}: '{value}' is not three numbers from 1 to 1e9, separated by commas, for example 1000,5000,50000.";
+
+    public static string NotCompressed(string option, string path) => $"{option}: {path} is written without compression; use a name without .gz";
 
     public static string NotABox(string option, string text, int minSide, int maxSide) =>
         $"{option}: '{text}' is not a box; allowed: X,Y,WIDTH,HEIGHT in whole px, sides {minSide} to {maxSide} px.";

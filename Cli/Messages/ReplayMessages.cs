@@ -15,6 +15,12 @@ static class ReplayMessages
         FormattableString.Invariant($"{path}: {seconds:G6} s is too long to replay at {hertz} frames per second and a sample every ")
         + FormattableString.Invariant($"{samplingMs:G6} ms; check that the time column is in seconds");
 
+    public static string TooManyPhases(string path, int phases, double seconds, int max) =>
+        FormattableString.Invariant($"--phases: {phases} passes over the {seconds:G6} s of {path} are too many; the maximum for this file is {max}");
+
+    public static string OtherPredictor(string path, string predictor) =>
+        $"{path}: the session was displayed with {predictor}; repeat it with --predictor {predictor}";
+
     public static string CoarseRows(double intervalMs, double samplingMs) =>
         FormattableString.Invariant($"the rows are {intervalMs:G6} ms apart (median), but a sample is taken every {samplingMs:G6} ms: samples ")
         + "between rows are interpolated, so the error of the predictors is too small; check that the time is in s, or increase --sampling-ms";

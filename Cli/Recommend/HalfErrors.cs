@@ -8,7 +8,7 @@ sealed class HalfErrors(IReadOnlyList<(string Name, string Unit)> axes)
 {
     readonly ReplayErrors[] _halves = [new(axes), new(axes)];
 
-    public void Add(Half half, in ScoredValue value) => _halves[(int)half].Add(value);
+    public void Add(Half half, ScoredValue value) => _halves[(int)half].Add(value);
 
     /// <exception cref="InputException">No frame of a half was scored.</exception>
     /// <exception cref="OperationCanceledException">The run was cancelled, so the errors are incomplete.</exception>

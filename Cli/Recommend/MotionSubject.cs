@@ -8,6 +8,12 @@ sealed class MotionSubject : ISubject
 {
     const double MsPerSecond = 1000;
 
+    /// <summary>
+    /// Number of phases unless the recording is too long. With one phase, the samples have only three different ages in the frames, at 60 fps and
+    /// a sampling interval of 50 ms.
+    /// </summary>
+    const int MaxPhases = 5;
+
     readonly string _path;
     readonly MotionRecording _motion;
     readonly long _middle;
@@ -19,6 +25,7 @@ sealed class MotionSubject : ISubject
         SamplingMs = samplingMs;
         LatencyMs = latencyMs;
         _middle = Ticks.Of(motion.Times[MotionHalves.MiddleOf(WaysOf(motion))]);
+        Phases = Math.Clamp(ReplayLoop.MaxPhases(motion.Duration, motion.Names.Count, Settings(null, null, 1)), 1, MaxPhases);
     }
 
     public double? SamplingMs { get; }
@@ -27,21 +34,21 @@ sealed class MotionSubject : ISubject
 
     public double? Fps { get; } = new ReplaySettings().FrameRateHz;
 
-    // With one phase, the samples have only three different ages in the frames, at 60 fps and a sampling interval of 50 ms.
-    public int? Phases => 5;
+    public int? Phases { get; }
 
     public Trial Try(string predictor, double? blendMs, CancellationToken cancellation)
     {
-        var settings = new ReplaySettings
-        {
-            SamplingInterval = SamplingMs.Value / MsPerSecond, Latency = LatencyMs.Value / MsPerSecond, Predictor = predictor,
-            Blend = blendMs / MsPerSecond, Phases = Phases.Value, FrameRateHz = Fps.Value,
-        };
         var halves = new HalfErrors(ReplayRun.AxesOf(_motion));
-        var run = new ReplayRun(_path, _motion, settings) { Scored = value => halves.Add(value.Ticks <= _middle ? Half.First : Half.Second, value) };
-        run.Run(cancellation: cancellation);
+        new ReplayRun(_path, _motion, Settings(predictor, blendMs, Phases.Value))
+            .Score(value => halves.Add(value.Ticks <= _middle ? Half.First : Half.Second, value), cancellation: cancellation);
         return halves.Trial(_path, predictor, cancellation);
     }
+
+    ReplaySettings Settings(string predictor, double? blendMs, int phases) => new()
+    {
+        SamplingInterval = SamplingMs.Value / MsPerSecond, Latency = LatencyMs.Value / MsPerSecond, Predictor = predictor,
+        Blend = blendMs / MsPerSecond, Phases = phases, FrameRateHz = Fps.Value,
+    };
 
     static double[] WaysOf(MotionRecording motion)
     {

@@ -31,11 +31,8 @@ sealed class SessionSubject : ISubject
         // Ignores the plan: with it, all candidates would display the same positions.
         var settings = new ReplaySettings { Predictor = predictor, Blend = blendMs / 1000, FollowPlan = false };
         var halves = new HalfErrors(SessionReplay.AxesOf(_session));
-        var replay = new SessionReplay(_path, _session, _truth, settings)
-        {
-            Scored = value => halves.Add(value.Frame < _firstOfSecondHalf ? Half.First : Half.Second, value),
-        };
-        replay.Run(cancellation: cancellation);
+        new SessionReplay(_path, _session, _truth, settings)
+            .Score(value => halves.Add(value.Frame < _firstOfSecondHalf ? Half.First : Half.Second, value), cancellation: cancellation);
         return halves.Trial(_path, predictor, cancellation);
     }
 

@@ -3,7 +3,7 @@ namespace Nowpose.Cli.Replay;
 /// <summary>Collects the errors of one axis, and the standard deviations that the predictor states.</summary>
 sealed class AxisError
 {
-    /// <summary>Minimum error of hold, rad or m, in a frame in which the axis counts as moving.</summary>
+    /// <summary>Minimum error of hold, in the unit of the axis, in a frame in which the axis counts as moving.</summary>
     const double MinMoving = 1e-3;
 
     readonly ErrorCollector _errors = new();

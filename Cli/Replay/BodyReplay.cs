@@ -24,7 +24,7 @@ public sealed class BodyReplay
     readonly Func<BodyPredictor> _newPredictor;
     readonly ErrorCollector _position = new();
     readonly ErrorCollector _rotation = new();
-    readonly List<ErrorCollector> _passes = [];
+    readonly PassErrors _passes = new();
     BodyPredictor _predictor;
     double _displayed;
     long _frame;
@@ -63,7 +63,7 @@ public sealed class BodyReplay
         var frames = _loop.Run(Start, PoseAt, Take, Score, report, cancellation);
         var result = new BodyReplayResult(
             _path, _settings.Predictor, frames, _position.Result(MmPerMetre), _rotation.Result(DegreesPerRadian))
-        { Passes = ErrorComparison.OfEach(_passes, MmPerMetre) };
+        { Passes = _passes.Result(MmPerMetre) };
         if (!double.IsFinite(result.Position.Rms + result.Position.RmsHold))
             throw new InputException(ReplayMessages.BodyTooLarge(_path));
         return result;
@@ -73,7 +73,7 @@ public sealed class BodyReplay
     {
         _predictor = _newPredictor();
         _displayed = double.NaN;
-        _passes.Add(new ErrorCollector());
+        _passes.Start();
     }
 
     double[] PoseAt(double time)
@@ -96,9 +96,10 @@ public sealed class BodyReplay
         _displayed = time + _settings.LatencyError;
         var (hold, predicted) = (_predictor.Hold, _predictor.At(_displayed));
         var (holdAngle, angle) = (hold.AngleTo(truth), predicted.AngleTo(truth));
-        _position.Add(hold.DistanceTo(truth), predicted.DistanceTo(truth));
+        var (holdDistance, distance) = (hold.DistanceTo(truth), predicted.DistanceTo(truth));
+        _position.Add(holdDistance, distance);
         _rotation.Add(holdAngle, angle);
-        _passes[^1].Add(hold.DistanceTo(truth), predicted.DistanceTo(truth));
+        _passes.Add(holdDistance * holdDistance, distance * distance);
         if (Scored == null) return;
         (double Truth, double Held, double Predicted)[] values =
         [

@@ -9,7 +9,7 @@ public sealed record BodyReplayResult(
     string File, string Predictor, int Frames, ErrorComparison Position, ErrorComparison Rotation)
 {
     /// <summary>Position errors of each pass over a motion, mm; empty for a session.</summary>
-    public IReadOnlyList<ErrorComparison> Passes { get; init; } = [];
+    public IReadOnlyList<PassRms> Passes { get; init; } = [];
 
     /// <summary>Errors of the poses that the session displayed; null if they are not recorded, or their truth is unknown.</summary>
     public (ErrorComparison Position, ErrorComparison Rotation)? Displayed { get; init; }

@@ -2,7 +2,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Cli.Replay;
 
-/// <summary>The conditions of a replay, as in its JSON: the version of the program, and every setting on which the result depends.</summary>
+/// <summary>The conditions of a replay, as in its JSON: the version of the program, and the main settings.</summary>
 static class ReplayConditions
 {
     const double MsPerSecond = 1000;
@@ -10,7 +10,8 @@ static class ReplayConditions
     public static object Of(ReplaySettings settings) => new
     {
         Version = ProgramVersion.Text, settings.Predictor,
-        SamplingMs = settings.SamplingInterval * MsPerSecond, LatencyMs = settings.Latency * MsPerSecond, Fps = settings.FrameRateHz, settings.Phases, LatencyErrorMs = settings.LatencyError * MsPerSecond,
+        SamplingMs = settings.SamplingInterval * MsPerSecond, LatencyMs = settings.Latency * MsPerSecond,
+        Fps = settings.FrameRateHz, settings.Phases, LatencyErrorMs = settings.LatencyError * MsPerSecond,
         StampErrorMs = settings.StampError * MsPerSecond, JitterMs = settings.Jitter * MsPerSecond, settings.Loss,
         BlendMs = (settings.Blend ?? 0) * MsPerSecond, settings.Seed,
     };

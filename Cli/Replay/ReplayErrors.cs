@@ -1,3 +1,5 @@
+using Nowpose.Cli.Messages;
+
 namespace Nowpose.Cli.Replay;
 
 /// <summary>Collects the errors of all axes over the scored frames of a replay.</summary>
@@ -10,7 +12,7 @@ sealed class ReplayErrors(IReadOnlyList<(string Name, string Unit)> axes)
     /// <summary>Number of frames with at least one scored axis.</summary>
     public int Frames { get; private set; }
 
-    public void Add(in ScoredValue value)
+    public void Add(ScoredValue value)
     {
         if (value.Frame != _frame) Frames++;
         _frame = value.Frame;
@@ -18,8 +20,13 @@ sealed class ReplayErrors(IReadOnlyList<(string Name, string Unit)> axes)
     }
 
     /// <summary>Gets the errors of all axes that were scored.</summary>
-    public ReplayResult Result(string path, string predictor) => new(
-        path, predictor, Frames, [.. _axes.Zip(axes).Where(axis => axis.First.Count > 0).Select(axis => axis.First.Summary(axis.Second.Name))]);
+    /// <exception cref="InputException">The errors overflow.</exception>
+    public ReplayResult Result(string path, string predictor)
+    {
+        var scored = _axes.Zip(axes).Where(axis => axis.First.Count > 0);
+        var result = new ReplayResult(path, predictor, Frames, [.. scored.Select(axis => axis.First.Summary(axis.Second.Name))]);
+        return double.IsFinite(result.Rms + result.RmsHold) ? result : throw new InputException(ReplayMessages.TooLarge(path));
+    }
 }
 
 /// <summary>The values of one axis in one scored frame, in the unit of the axis.</summary>

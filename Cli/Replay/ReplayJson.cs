@@ -10,10 +10,10 @@ static class ReplayJson
         var json = new Dictionary<string, object>
         {
             ["file"] = result.File, ["predictor"] = result.Predictor, ["frames"] = result.Frames, ["axes"] = result.Axes.Select(Axis),
-            ["rms_hold"] = result.RmsHold, ["rms"] = result.Rms, ["reduction"] = result.Reduction, ["mean_reduction"] = result.MeanReduction,
+            ["rms_hold"] = result.RmsHold, ["rms"] = result.Rms, ["reduction"] = result.Reduction,
             ["conditions"] = conditions,
         };
-        if (result.Passes.Count > 1) json["phases"] = result.Passes.Select(Pass);
+        if (result.Passes.Count > 1) json["passes"] = result.Passes;
         if (result.Bodies.Count > 0) json["bodies"] = result.Bodies.Select(body => new
         {
             Name = body.File, body.Frames, ErrorMm = Error(body.Position), ErrorDeg = Error(body.Rotation),
@@ -33,12 +33,10 @@ static class ReplayJson
             ["file"] = result.File, ["predictor"] = result.Predictor, ["frames"] = result.Frames,
             ["body"] = new { ErrorMm = Error(result.Position), ErrorDeg = Error(result.Rotation) }, ["conditions"] = conditions,
         };
-        if (result.Passes.Count > 1) json["phases"] = result.Passes.Select(Pass);
+        if (result.Passes.Count > 1) json["passes"] = result.Passes;
         if (notes.Count > 0) json["notes"] = notes;
         return JsonText.Of(json);
     }
-
-    static object Pass(ErrorComparison pass) => new { pass.RmsHold, pass.Rms };
 
     static object Error(ErrorComparison? comparison) => comparison is { } error ? new { error.RmsHold, error.Rms, error.P95 } : null;
 

@@ -84,12 +84,20 @@ sealed class ReplayLoop
         return frames;
     }
 
+    /// <summary>Gets the maximum number of passes over a recording; 0 if it is too long to replay.</summary>
+    /// <inheritdoc cref="ReplayLoop(string, double, int, ReplaySettings)"/>
+    public static int MaxPhases(double duration, int axes, ReplaySettings settings)
+    {
+        var (values, samples) = (duration * settings.FrameRateHz * axes, duration / settings.SamplingInterval);
+        return (int)Math.Min(int.MaxValue, Math.Min(MaxValues / values, MaxSamples / samples));
+    }
+
     void RequireMaxLength()
     {
-        var values = _duration * _settings.FrameRateHz * _axes * _settings.Phases;
-        var samples = _duration / _settings.SamplingInterval * _settings.Phases;
-        if (values > MaxValues || samples > MaxSamples)
+        var max = MaxPhases(_duration, _axes, _settings);
+        if (max == 0)
             throw new InputException(ReplayMessages.TooManyFrames(_path, _duration, _settings.FrameRateHz, _settings.SamplingInterval * 1e3));
+        if (_settings.Phases > max) throw new InputException(ReplayMessages.TooManyPhases(_path, _settings.Phases, _duration, max));
     }
 
     InputException NothingScored()

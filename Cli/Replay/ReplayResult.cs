@@ -22,7 +22,7 @@ public sealed record ReplayResult
 
     /// <summary>
     /// Standard deviations that the predictor states: their mean, their root mean square, and the coverage of all frames and of those in which
-    /// hold has an error of more than 0.001 rad or m. Frames without a standard deviation are ignored.
+    /// hold has an error of more than 0.001 in the unit of the axis. Frames without a standard deviation are ignored.
     /// </summary>
     public readonly record struct Deviation(double Mean, double Rms, Coverage All, Coverage Moving);
 
@@ -47,7 +47,7 @@ public sealed record ReplayResult
     public IReadOnlyList<Axis> Axes { get; }
 
     /// <summary>Results of each pass over a motion; empty for a session.</summary>
-    public IReadOnlyList<ErrorComparison> Passes { get; init; } = [];
+    public IReadOnlyList<PassRms> Passes { get; init; } = [];
 
     /// <summary>
     /// RMS error of hold: square root of the sum of all axes' mean squared errors. Different units are added like equal ones.
@@ -59,9 +59,4 @@ public sealed record ReplayResult
 
     /// <summary>1 − Rms / RmsHold; null if hold has no error.</summary>
     public double? Reduction => ErrorReduction.Of(Rms, RmsHold);
-
-    /// <summary>
-    /// Mean over the axes of 1 − Rms / RmsHold, which does not depend on their units; null if hold has no error on any axis.
-    /// </summary>
-    public double? MeanReduction => Axes.Average(axis => axis.Error.Reduction);
 }

@@ -1,4 +1,3 @@
-using Nowpose.Cli.Messages;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Prediction;
 
@@ -14,8 +13,7 @@ public sealed class ReplayRun
     readonly ReplayLoop _loop;
     readonly Func<JointPredictor> _newPredictor;
     readonly JointPredictor[] _predictors;
-    readonly ReplayErrors _errors;
-    readonly List<ErrorCollector> _passes = [];
+    readonly PassErrors _passes = new();
     readonly double[] _truth;
     double _displayed;
     long _frame;
@@ -31,7 +29,6 @@ public sealed class ReplayRun
         _loop = new ReplayLoop(path, recording.Duration, recording.Names.Count, settings);
         _newPredictor = newPredictor ?? (() => Predictors.Create(settings.Predictor, PredictionLimits.Unlimited, settings.Blend ?? 0));
         _predictors = new JointPredictor[recording.Names.Count];
-        _errors = new ReplayErrors(AxesOf(recording));
         _truth = new double[recording.Names.Count];
     }
 
@@ -51,18 +48,22 @@ public sealed class ReplayRun
     /// <exception cref="OperationCanceledException">The run was cancelled before a frame was scored.</exception>
     public ReplayResult Run(Action<int> report = null, CancellationToken cancellation = default)
     {
-        _loop.Run(Start, PositionsAt, Take, Score, report, cancellation);
-        var result = _errors.Result(_path, _settings.Predictor) with { Passes = ErrorComparison.OfEach(_passes) };
-        if (!double.IsFinite(result.Rms + result.RmsHold))
-            throw new InputException(ReplayMessages.TooLarge(_path));
-        return result;
+        var errors = new ReplayErrors(AxesOf(_recording));
+        Score(errors.Add + Scored, report, cancellation);
+        return errors.Result(_path, _settings.Predictor) with { Passes = _passes.Result() };
     }
+
+    /// <summary>Runs all passes without collecting the errors of the axes.</summary>
+    /// <param name="scored">Called for each axis of each scored frame.</param>
+    /// <inheritdoc cref="Run"/>
+    internal void Score(Action<ScoredValue> scored, Action<int> report = null, CancellationToken cancellation = default) =>
+        _loop.Run(Start, PositionsAt, Take, time => Score(time, scored), report, cancellation);
 
     void Start()
     {
         for (var joint = 0; joint < _predictors.Length; joint++) _predictors[joint] = _newPredictor();
         _displayed = double.NaN;
-        _passes.Add(new ErrorCollector());
+        _passes.Start();
     }
 
     double[] PositionsAt(double time)
@@ -78,22 +79,21 @@ public sealed class ReplayRun
             _predictors[joint].Add(new JointSample(sample.Stamp, sample.Positions[joint], sample.Time), _displayed);
     }
 
-    void Score(double time)
+    void Score(double time, Action<ScoredValue> scored)
     {
         _recording.At(time, _truth);
         _displayed = time + _settings.LatencyError;
-        var (hold, predicted) = (0.0, 0.0);
+        var (holdSquare, square) = (0.0, 0.0);
         for (var joint = 0; joint < _truth.Length; joint++)
         {
             var predictor = _predictors[joint];
             var value = new ScoredValue(
                 _frame, Ticks.Of(time), joint, _truth[joint], predictor.Hold, predictor.At(_displayed).Position, predictor.DeviationAt(_displayed));
-            _errors.Add(value);
-            Scored?.Invoke(value);
-            hold += value.HoldError * value.HoldError;
-            predicted += value.Error * value.Error;
+            scored(value);
+            holdSquare += value.HoldError * value.HoldError;
+            square += value.Error * value.Error;
         }
-        _passes[^1].Add(Math.Sqrt(hold), Math.Sqrt(predicted));
+        _passes.Add(holdSquare, square);
         _frame++;
     }
 }

@@ -17,7 +17,7 @@ public sealed class ReplaySettings
     /// </summary>
     public int Phases { get; init; } = 1;
 
-    /// <summary>Name of the predictor, from <see cref="Nowpose.Prediction.Predictors"/>. Null to use the recorded predictor of a session.</summary>
+    /// <summary>Name of the predictor, from <see cref="Nowpose.Prediction.Predictors"/>.</summary>
     public string Predictor { get; init; } = Nowpose.Prediction.Predictors.Default;
 
     /// <summary>Error ε_L of the latency, s. It is added to the time for which the position is predicted.</summary>

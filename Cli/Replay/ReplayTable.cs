@@ -29,7 +29,7 @@ static class ReplayTable
     }
 
     // Nothing for one pass.
-    static void WritePasses(IAnsiConsole console, IReadOnlyList<ErrorComparison> passes)
+    static void WritePasses(IAnsiConsole console, IReadOnlyList<PassRms> passes)
     {
         if (passes.Count > 1)
             console.WriteLine(ReplayTexts.Phases(passes.Count, Number(passes.Min(pass => pass.Rms)), Number(passes.Max(pass => pass.Rms))));

@@ -27,7 +27,7 @@ static class ReplayVerb
         var fps = NumberOption.Create("--fps", "Frames per second", 60.0, 1, 1000, "");
         var phases = NumberOption.Create(
             "--phases", "Number of start phases of the frames, over which the errors of a motion are averaged", 1, 1, 1000, "");
-        var predictor = PredictorOption.Create(ReplayTexts.PredictorOfSession);
+        var predictor = PredictorOption.Create();
         var latencyError = NumberOption.Create("--latency-error-ms", "Error of the latency, added to the time for which positions are predicted", 0.0, -10000, 10000, "ms");
         var stampError = NumberOption.Create("--stamp-error-ms", "Maximum error of each t_k, uniformly distributed around zero", 0.0, 0, 10000, "ms");
         var jitter = NumberOption.Create("--jitter-ms", "Maximum additional delay, uniformly distributed from 0", 0.0, 0, 10000, "ms");
@@ -37,7 +37,7 @@ static class ReplayVerb
         var frames = TextOption.Create(FramesOption, "CSV file for the true, held and predicted position of each axis in each scored frame");
         var json = SwitchOption.Create("--json", "Print JSON instead of a table");
 
-        var verb = new Command("replay", "Predict a recorded motion or session as on the headset, without a network and in virtual time.")
+        var verb = new Command("replay", "Predict a recorded motion or session in virtual time and without a network, and print the errors.")
         {
             file, sampling, latency, fps, phases, predictor, latencyError, stampError, jitter, loss, blend, seed, frames, json
         };
@@ -51,7 +51,7 @@ static class ReplayVerb
                 Latency = parsed.GetValue(latency) / MsPerSecond,
                 FrameRateHz = parsed.GetValue(fps),
                 Phases = parsed.GetValue(phases),
-                Predictor = RecordingText.IsSession(path) && !RecordingOptions.IsGiven(parsed, predictor) ? null : parsed.GetValue(predictor),
+                Predictor = parsed.GetValue(predictor),
                 LatencyError = parsed.GetValue(latencyError) / MsPerSecond,
                 StampError = parsed.GetValue(stampError) / MsPerSecond,
                 Jitter = parsed.GetValue(jitter) / MsPerSecond,
@@ -59,19 +59,22 @@ static class ReplayVerb
                 Blend = RecordingOptions.IsGiven(parsed, blend) ? parsed.GetValue(blend) / MsPerSecond : null,
                 Seed = parsed.GetValue(seed)
             };
-            return RunAsync(path, settings, parsed.GetValue(frames), parsed.GetValue(json), cancellation);
+            return RunAsync(path, settings, parsed.GetValue(frames), parsed.GetValue(json), !RecordingOptions.IsGiven(parsed, predictor), cancellation);
         });
         return verb;
     }
 
     /// <param name="frames">Path of the file for the values of each frame; null to write none.</param>
-    static async Task<int> RunAsync(string path, ReplaySettings settings, string frames, bool json, CancellationToken cancellation)
+    /// <param name="isDefault">Whether the predictor was not given.</param>
+    static async Task<int> RunAsync(string path, ReplaySettings settings, string frames, bool json, bool isDefault, CancellationToken cancellation)
     {
-        if (frames != null) OptionPath.RequireNoInput(FramesOption, [frames], path);
+        if (frames != null) RequireFrames(frames, path);
         if (RecordingText.IsSession(path))
         {
             var session = await Invocation.ReadAsync(() => RecordedSession.Read(path), cancellation);
             if (session.Lost > 0) await Console.Error.WriteLineAsync(ConsoleMessages.LostLines(path, session.Lost));
+            var own = session.Header.Prediction.Predictor;
+            if (isDefault && own != settings.Predictor) await Console.Error.WriteLineAsync(ConsoleMessages.Line(ReplayMessages.OtherPredictor(path, own)));
             var result = WithFrames(frames, SessionReplay.AxesOf(session), scored => WithProgress("events", 2 * session.Events.Count,
                 report => RunSession(path, session, settings, report, cancellation, scored)));
             if (result.Frames == 0 && !cancellation.IsCancellationRequested && session.Events.Any(one => one.Kind == RecordedSession.EventKind.Sample))
@@ -80,27 +83,37 @@ static class ReplayVerb
             return ExitStatus.Done;
         }
         var recording = await Invocation.ReadAsync(() => MotionRecording.Read(path), cancellation);
-        if (recording.IsBody)
+        T Replay<T>(IReadOnlyList<(string Name, string Unit)> axes, Func<Action<ScoredValue>, (int Frames, Func<Action<int>, CancellationToken, T> Run)> create)
         {
-            var result = WithFrames(frames, BodyReplay.Axes, scored =>
+            var result = WithFrames(frames, axes, scored =>
+            {
+                var (total, run) = create(scored);
+                return WithProgress("frames", total, report => run(report, cancellation));
+            });
+            // Only after the replay, because invalid input gives only one line.
+            foreach (var warning in RowInterval.WarningsOf(recording, settings.SamplingInterval * MsPerSecond))
+                Console.Error.WriteLine(ConsoleMessages.Line($"{path}: {warning}"));
+            return result;
+        }
+        if (recording.IsBody)
+            Print(Replay<BodyReplayResult>(BodyReplay.Axes, scored =>
             {
                 var replay = new BodyReplay(path, recording, settings) { Scored = scored };
-                return WithProgress("frames", replay.Frames, report => replay.Run(report, cancellation));
-            });
-            WarnOfRows(path, recording, settings);
-            Print(result, json, cancellation.IsCancellationRequested, ReplayConditions.Of(settings));
-        }
+                return (replay.Frames, replay.Run);
+            }), json, cancellation.IsCancellationRequested, ReplayConditions.Of(settings));
         else
-        {
-            var result = WithFrames(frames, ReplayRun.AxesOf(recording), scored =>
+            Print(Replay<ReplayResult>(ReplayRun.AxesOf(recording), scored =>
             {
                 var replay = new ReplayRun(path, recording, settings) { Scored = scored };
-                return WithProgress("frames", replay.Frames, report => replay.Run(report, cancellation));
-            });
-            WarnOfRows(path, recording, settings);
-            Print(result, json, cancellation.IsCancellationRequested, ReplayConditions.Of(settings));
-        }
+                return (replay.Frames, replay.Run);
+            }), json, cancellation.IsCancellationRequested, ReplayConditions.Of(settings));
         return ExitStatus.Done;
+    }
+
+    static void RequireFrames(string frames, string input)
+    {
+        OptionPath.RequireNoInput(FramesOption, [frames], input);
+        if (frames.EndsWith(".gz", StringComparison.OrdinalIgnoreCase)) throw new InputException(OptionValueMessages.NotCompressed(FramesOption, frames));
     }
 
     /// <summary>Calls a replay with an action that writes each value to a file; with null if there is no file.</summary>
@@ -115,13 +128,6 @@ static class ReplayVerb
             result = replay(table.Write);
         }));
         return result;
-    }
-
-    // Called only after a replay, because invalid input gives only one line.
-    static void WarnOfRows(string path, MotionRecording recording, ReplaySettings settings)
-    {
-        foreach (var warning in RowInterval.WarningsOf(recording, settings.SamplingInterval * MsPerSecond))
-            Console.Error.WriteLine(ConsoleMessages.Line($"{path}: {warning}"));
     }
 
     /// <param name="isInterrupted">Whether the user ended the replay, so that the result is partial.</param>
@@ -162,7 +168,7 @@ static class ReplayVerb
         Action<ScoredValue> scored = null)
     {
         var bodies = new SessionBodies(session, settings).Run(report, cancellation);
-        var joints = new ReplayResult(path, settings.Predictor ?? session.Header.Prediction.Predictor, 0, []);
+        var joints = new ReplayResult(path, settings.Predictor, 0, []);
         var replay = new SessionReplay(path, session, new SessionTruth(session), settings) { Scored = scored };
         try
         {

@@ -22,7 +22,6 @@ sealed class SessionBodies
 
     readonly RecordedSession _session;
     readonly ReplaySettings _settings;
-    readonly string _predictor;
     readonly RandomStream _stampErrors;
     readonly SortedDictionary<string, Body> _bodies = new(StringComparer.Ordinal);
     readonly Dictionary<string, PoseLine> _stationary = new(StringComparer.Ordinal);
@@ -35,7 +34,6 @@ sealed class SessionBodies
         _settings = settings;
         _stampErrors = new RandomStream(settings.Seed, 5);
         var prediction = SessionReplay.PredictionOf(session.Header.Prediction, settings);
-        _predictor = prediction.Predictor;
         var newPredictor = prediction.BodiesOfACell();
         foreach (var pose in session.Events)
         {
@@ -66,7 +64,7 @@ sealed class SessionBodies
                 if (_bodies.TryGetValue(name, out var body)) body.AddDisplayed(pose);
             }
         }
-        return [.. _bodies.Where(body => body.Value.Frames > 0).Select(body => body.Value.Result(body.Key, _predictor))];
+        return [.. _bodies.Where(body => body.Value.Frames > 0).Select(body => body.Value.Result(body.Key, _settings.Predictor))];
     }
 
     void Take(PoseLine pose)

@@ -24,12 +24,10 @@ sealed class SessionReplay
     readonly RecordedSession _session;
     readonly SessionTruth _truth;
     readonly ReplaySettings _settings;
-    readonly string _predictor;
     readonly RandomStream _stampErrors;
     readonly bool _followsPlans;
     readonly JointPredictor[] _joints;
     readonly JointRun[] _runs;
-    readonly ReplayErrors _errors;
     int _timeLine;
     ControlTime? _epoch;
     double _displayed = double.NaN;
@@ -45,16 +43,14 @@ sealed class SessionReplay
         _settings = settings;
         _stampErrors = new RandomStream(settings.Seed, 3);
         var prediction = PredictionOf(session.Header.Prediction, settings);
-        _predictor = prediction.Predictor;
         _followsPlans = prediction.FollowsPlans;
         _joints = [.. session.Header.Joints.Select(joint => prediction.Create(joint.BoundedBy(prediction)))];
         _runs = new JointRun[_joints.Length];
-        _errors = new ReplayErrors(AxesOf(session));
     }
 
     /// <summary>Gets the prediction settings of a recording, with the predictor and blend of the replay.</summary>
     internal static PredictionSettings PredictionOf(PredictionSettings own, ReplaySettings settings) => new(
-        settings.Predictor ?? own.Predictor, own.HorizonCap.TotalMilliseconds, own.MaximumGap.TotalMilliseconds,
+        settings.Predictor, own.HorizonCap.TotalMilliseconds, own.MaximumGap.TotalMilliseconds,
         settings.Blend * 1000 ?? own.Blend.TotalMilliseconds, own.FollowPlan && settings.FollowPlan, own.SpeedShare,
         own.AccelerationLimit, own.JerkLimit);
 
@@ -69,36 +65,41 @@ sealed class SessionReplay
     public Action<ScoredValue> Scored { get; init; }
 
     /// <summary>Whether at least one frame has been scored.</summary>
-    public bool HasScored => _errors.Frames > 0;
+    public bool HasScored { get; private set; }
 
     /// <param name="report">Receives the number of finished events; null if it is not needed.</param>
     /// <exception cref="InputException">No frame could be scored.</exception>
     /// <exception cref="OperationCanceledException">The run was cancelled before a frame was scored.</exception>
     public ReplayResult Run(Action<int> report = null, CancellationToken cancellation = default)
     {
+        var errors = new ReplayErrors(AxesOf(_session));
+        Score(errors.Add + Scored, report, cancellation);
+        return errors.Result(_path, _settings.Predictor);
+    }
+
+    /// <summary>Replays the session without collecting the errors of the joints.</summary>
+    /// <param name="scored">Called for each joint of each scored frame.</param>
+    /// <inheritdoc cref="Run"/>
+    public void Score(Action<ScoredValue> scored, Action<int> report = null, CancellationToken cancellation = default)
+    {
         for (var i = 0; i < _session.Events.Count && !cancellation.IsCancellationRequested; i++)
         {
             report?.Invoke(i);
-            Play(_session.Events[i]);
+            Play(_session.Events[i], scored);
         }
-        if (!HasScored)
-        {
-            cancellation.ThrowIfCancellationRequested();
-            throw new InputException(NothingScored(_path));
-        }
-        var result = _errors.Result(_path, _predictor);
-        return double.IsFinite(result.Rms + result.RmsHold)
-            ? result : throw new InputException(ReplayMessages.TooLarge(_path));
+        if (HasScored) return;
+        cancellation.ThrowIfCancellationRequested();
+        throw new InputException(NothingScored(_path));
     }
 
     internal static string NothingScored(string path) => ReplayMessages.NothingScored(path, SamplesBeforeScoring);
 
-    void Play(in RecordedSession.Event next)
+    void Play(in RecordedSession.Event next, Action<ScoredValue> scored)
     {
         if (next.TimeLine != _timeLine || _epoch == null) StartTimeLine(next);
         if (next.Kind == RecordedSession.EventKind.Sample) Take(next);
         else if (next.Kind == RecordedSession.EventKind.Plan) Follow(next);
-        else if (next.Kind == RecordedSession.EventKind.Frame && next.IsTimed) Show(next);
+        else if (next.Kind == RecordedSession.EventKind.Frame && next.IsTimed) Show(next, scored);
     }
 
     // Discards all samples if the clock has stepped since the last event, because earlier times are then not comparable with the new ones.
@@ -139,7 +140,7 @@ sealed class SessionReplay
         for (var i = 0; i < plan.Count; i++) _joints[plan.JointAt(i)].Follow(plan.PathAt(i), Seconds(next.At), _displayed);
     }
 
-    void Show(in RecordedSession.Event frame)
+    void Show(in RecordedSession.Event frame, Action<ScoredValue> scored)
     {
         _displayed = Seconds(frame.At) + _settings.LatencyError;
         var (positions, kinds) = Predicted == null ? default : (new double[_joints.Length], new PredictionKind[_joints.Length]);
@@ -154,8 +155,8 @@ sealed class SessionReplay
             double Near(double position) => truth + known.Difference(position, truth);
             var value = new ScoredValue(
                 frame.First, frame.At.SinceEpoch.Ticks, joint, truth, Near(_joints[joint].Hold), Near(prediction.Position), deviation);
-            _errors.Add(value);
-            Scored?.Invoke(value);
+            HasScored = true;
+            scored(value);
         }
         Predicted?.Invoke(frame, positions, kinds);
     }

@@ -5,6 +5,7 @@ using Nowpose.Cli;
 using Nowpose.Cli.Messages;
 using Nowpose.Cli.Recommend;
 using Nowpose.Gateway.Messages;
+using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Headless.Tests.Cli;
 using Nowpose.Headless.Tests.Cli.SessionFiles;
 using Nowpose.Prediction;
@@ -83,6 +84,19 @@ public class RecommendVerbTests
         var halves = Candidate((await JsonOf(file.Path)).GetProperty("conditions")[0], Predictors.Default).GetProperty("halves");
 
         Assert.That(halves[1].GetProperty("rms").GetDouble(), Is.LessThan(0.3 * halves[0].GetProperty("rms").GetDouble()));
+    }
+
+    // A pass over 500 columns at 60 frames per second has 30 000 values per second. The maximum of all passes is 50 million.
+    [TestCase(60, 5)]
+    [TestCase(600, 2)]
+    [TestCase(1600, 1)]
+    public void Phases_LongRecording_AreReduced(double seconds, int phases)
+    {
+        var header = string.Join(',', Enumerable.Range(0, 500).Select(i => $"j{i}"));
+        string Row(double t) => FormattableString.Invariant($"{t},") + string.Join(',', Enumerable.Repeat(FormattableString.Invariant($"{t}"), 500));
+        using var file = new TemporaryFile($"t,{header}\n{Row(0)}\n{Row(seconds)}\n", ".csv");
+
+        Assert.That(new MotionSubject(file.Path, MotionRecording.Read(file.Path), 50, 100).Phases, Is.EqualTo(phases));
     }
 
     [Test]

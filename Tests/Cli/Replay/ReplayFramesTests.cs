@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text.Json;
+using Nowpose.Cli.Messages;
 using Nowpose.Headless.Tests.Cli.SessionFiles;
 using NUnit.Framework;
 
@@ -58,6 +59,18 @@ public class ReplayFramesTests
         Assert.That(run.ExitStatus, Is.EqualTo(2), run.Errors);
         Assert.That(run.Errors, Does.Contain("--frames"));
         Assert.That(await File.ReadAllTextAsync(_file), Does.StartWith("t,"));
+    }
+
+    [Test]
+    public async Task Replay_FramesOptionWithACompressedFile_IsRefused()
+    {
+        var frames = Path.Combine(_folder, "frames.csv.gz");
+
+        var run = await CliRun.OfAsync("replay", _file, "--frames", frames);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2), run.Errors);
+        Assert.That(run.Errors, Does.Contain(OptionValueMessages.NotCompressed("--frames", frames)));
+        Assert.That(File.Exists(frames), Is.False);
     }
 
     [Test]

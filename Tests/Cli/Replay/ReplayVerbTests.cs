@@ -55,7 +55,7 @@ public class ReplayVerbTests
     {
         var result = await RunJson();
 
-        Assert.That(Keys(result), Is.EqualTo(new[] { "file", "predictor", "frames", "axes", "rms_hold", "rms", "reduction", "mean_reduction", "conditions" }));
+        Assert.That(Keys(result), Is.EqualTo(new[] { "file", "predictor", "frames", "axes", "rms_hold", "rms", "reduction", "conditions" }));
         Assert.That(Keys(result.GetProperty("axes")[1]), Is.EqualTo(new[] { "name", "rms_hold", "rms", "p95", "max" }));
         Assert.That(result.GetProperty("axes").EnumerateArray().Select(axis => axis.GetProperty("name").GetString()),
             Is.EqualTo(new[] { "q1", "q2" }));
@@ -84,20 +84,10 @@ public class ReplayVerbTests
     {
         var result = await RunJson("--phases", "5", "--predictor", "linear");
 
-        var phases = result.GetProperty("phases").EnumerateArray().Select(phase => phase.GetProperty("rms").GetDouble()).ToList();
+        var phases = result.GetProperty("passes").EnumerateArray().Select(pass => pass.GetProperty("rms").GetDouble()).ToList();
         Assert.That(phases, Has.Count.EqualTo(5).And.Unique);
         Assert.That(phases[0], Is.EqualTo((await RunJson("--predictor", "linear")).GetProperty("rms").GetDouble()).Within(1e-12), "the first phase is that of the default");
         Assert.That(result.GetProperty("rms").GetDouble(), Is.InRange(phases.Min(), phases.Max()));
-    }
-
-    [Test]
-    public void MeanReduction_AxesWithErrorsOfDifferentSize_HaveEqualWeights()
-    {
-        static ReplayResult.Axis Axis(double hold, double rms) => new("a", new ErrorComparison(hold, rms, rms, rms));
-
-        var result = new ReplayResult("f", "hold", 1, [Axis(2, 1), Axis(0.01, 0.002), Axis(0, 0)]);
-
-        Assert.That(result.MeanReduction, Is.EqualTo((0.5 + 0.8) / 2).Within(1e-12));
     }
 
     [Test]
@@ -219,6 +209,14 @@ public class ReplayVerbTests
         var run = await Run(_file, option);
 
         AssertRefused(run, option);
+    }
+
+    [Test]
+    public async Task Replay_MorePhasesThanFit_NamesTheOptionAndTheMaximum()
+    {
+        File.WriteAllText(_file, "t,a\n0,0\n100000,1\n");
+
+        AssertRefused(await Run(_file, "--phases", "9"), ReplayMessages.TooManyPhases(_file, 9, 100_000, 8));
     }
 
     [Test]

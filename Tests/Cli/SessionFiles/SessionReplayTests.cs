@@ -141,14 +141,17 @@ public class SessionReplayTests : SessionReplayFixture
     }
 
     [Test]
-    public async Task Replay_SessionWithoutOption_UsesThePredictorOfTheSession()
+    public async Task Replay_SessionWithAnotherPredictor_UsesTheDefaultAndStatesTheOption()
     {
         VirtualRecording.To(_path, predictor: "linear");
 
         var run = await Run("replay", _path, "--json");
+        var repeated = await Run("replay", _path, "--json", "--predictor", "linear");
 
         using var json = JsonDocument.Parse(run.Output);
-        Assert.That(json.RootElement.GetProperty("predictor").GetString(), Is.EqualTo("linear"));
+        Assert.That(json.RootElement.GetProperty("predictor").GetString(), Is.EqualTo(Predictors.Default));
+        Assert.That(run.Complaints, Is.EqualTo(new[] { ConsoleMessages.Line(ReplayMessages.OtherPredictor(_path, "linear")) }));
+        Assert.That(repeated.Complaints, Is.Empty);
     }
 
     [Test]
@@ -161,7 +164,7 @@ public class SessionReplayTests : SessionReplayFixture
         using var json = JsonDocument.Parse(run.Output);
         Assert.That(
             json.RootElement.EnumerateObject().Select(p => p.Name),
-            Is.EqualTo(new[] { "file", "predictor", "frames", "axes", "rms_hold", "rms", "reduction", "mean_reduction", "conditions" }));
+            Is.EqualTo(new[] { "file", "predictor", "frames", "axes", "rms_hold", "rms", "reduction", "conditions" }));
         Assert.That(json.RootElement.GetProperty("reduction").GetDouble(), Is.EqualTo(0));
         Assert.That(json.RootElement.GetProperty("frames").GetInt32(), Is.InRange(900, 1200));
         Assert.That(json.RootElement.GetProperty("axes")[0].GetProperty("name").GetString(), Is.EqualTo("arm_joint_1"));
