@@ -45,7 +45,8 @@ static class FiguresVerb
         ConsoleProgress.Run("computing", "studies", run.Total, report => figures = run.Run(report, cancel));
         output.Write(figures, settings);
         Print(figures, output);
-        if (settings.Limits != MotionLimits.Default) Console.Out.WriteLine(FigurePageTexts.OtherLimits(settings.Limits.Text, MotionLimits.Default.Text));
+        if (settings.Limits != MotionLimits.Default)
+            Console.Out.WriteLine(FigurePageTexts.OtherLimits(settings.Limits.Text, MotionLimits.Default.Text));
         if (opens) Browser.OpenOrExplain(output.PagePath);
         return cancel.IsCancellationRequested ? ExitStatus.Interrupted : ExitStatus.Done;
     }

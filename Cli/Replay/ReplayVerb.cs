@@ -59,7 +59,8 @@ static class ReplayVerb
                 Blend = RecordingOptions.IsGiven(parsed, blend) ? parsed.GetValue(blend) / MsPerSecond : null,
                 Seed = parsed.GetValue(seed)
             };
-            return RunAsync(path, settings, parsed.GetValue(frames), parsed.GetValue(json), !RecordingOptions.IsGiven(parsed, predictor), cancellation);
+            var isDefault = !RecordingOptions.IsGiven(parsed, predictor);
+            return RunAsync(path, settings, parsed.GetValue(frames), parsed.GetValue(json), isDefault, cancellation);
         });
         return verb;
     }
@@ -74,7 +75,8 @@ static class ReplayVerb
             var session = await Invocation.ReadAsync(() => RecordedSession.Read(path), cancellation);
             if (session.Lost > 0) await Console.Error.WriteLineAsync(ConsoleMessages.LostLines(path, session.Lost));
             var own = session.Header.Prediction.Predictor;
-            if (isDefault && own != settings.Predictor) await Console.Error.WriteLineAsync(ConsoleMessages.Line(ReplayMessages.OtherPredictor(path, own)));
+            if (isDefault && own != settings.Predictor)
+                await Console.Error.WriteLineAsync(ConsoleMessages.Line(ReplayMessages.OtherPredictor(path, own)));
             var result = WithFrames(frames, SessionReplay.AxesOf(session), scored => WithProgress("events", 2 * session.Events.Count,
                 report => RunSession(path, session, settings, report, cancellation, scored)));
             if (result.Frames == 0 && !cancellation.IsCancellationRequested && session.Events.Any(one => one.Kind == RecordedSession.EventKind.Sample))
@@ -83,7 +85,9 @@ static class ReplayVerb
             return ExitStatus.Done;
         }
         var recording = await Invocation.ReadAsync(() => MotionRecording.Read(path), cancellation);
-        T Replay<T>(IReadOnlyList<(string Name, string Unit)> axes, Func<Action<ScoredValue>, (int Frames, Func<Action<int>, CancellationToken, T> Run)> create)
+        T Replay<T>(
+            IReadOnlyList<(string Name, string Unit)> axes,
+            Func<Action<ScoredValue>, (int Frames, Func<Action<int>, CancellationToken, T> Run)> create)
         {
             var result = WithFrames(frames, axes, scored =>
             {
@@ -113,7 +117,8 @@ static class ReplayVerb
     static void RequireFrames(string frames, string input)
     {
         OptionPath.RequireNoInput(FramesOption, [frames], input);
-        if (frames.EndsWith(".gz", StringComparison.OrdinalIgnoreCase)) throw new InputException(OptionValueMessages.NotCompressed(FramesOption, frames));
+        if (frames.EndsWith(".gz", StringComparison.OrdinalIgnoreCase))
+            throw new InputException(OptionValueMessages.NotCompressed(FramesOption, frames));
     }
 
     /// <summary>Calls a replay with an action that writes each value to a file; with null if there is no file.</summary>

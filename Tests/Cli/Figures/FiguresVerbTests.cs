@@ -99,7 +99,8 @@ public partial class FiguresVerbTests
         cancelled.Cancel();
         var settings = Least with { Limits = new(1000, 2500, 12_500) };
 
-        var (_, output, _) = await CapturedConsole.OfAsync(() => Task.FromResult(FiguresVerb.Run(settings, _folder, pictures: null, cancelled.Token)));
+        var (_, output, _) = await CapturedConsole.OfAsync(
+            () => Task.FromResult(FiguresVerb.Run(settings, _folder, pictures: null, cancelled.Token)));
 
         Assert.That(output, Does.Contain(FigurePageTexts.OtherLimits("1000 mm/s, 2500 mm/s², 12500 mm/s³", MotionLimits.Default.Text)));
         Assert.That(FiguresJson.Of([], settings), Does.Contain("2500 mm/s"));

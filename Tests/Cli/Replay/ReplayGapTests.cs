@@ -26,8 +26,8 @@ public class ReplayGapTests
         return path;
     }
 
-    static double Line(double t) =>
-        t is > GapStart and < GapEnd ? (Math.Sin(2 * GapStart) * (GapEnd - t) + Math.Sin(2 * GapEnd) * (t - GapStart)) / (GapEnd - GapStart) : Math.Sin(2 * t);
+    static double Line(double t) => t is > GapStart and < GapEnd
+        ? (Math.Sin(2 * GapStart) * (GapEnd - t) + Math.Sin(2 * GapEnd) * (t - GapStart)) / (GapEnd - GapStart) : Math.Sin(2 * t);
 
     static string Swing(double t) => FormattableString.Invariant($"{Line(t)}");
 
