@@ -28,7 +28,7 @@ static class ReplayMessages
     public static string Gaps(int count, double minSeconds, double largestSeconds) =>
         (count == 1 ? "1 interval without rows is" : FormattableString.Invariant($"{count} intervals without rows are"))
         + FormattableString.Invariant($" longer than {minSeconds} s (largest {largestSeconds:0.0} s); the motion in ")
-        + (count == 1 ? "it is a straight line" : "them is a straight line");
+        + (count == 1 ? "it" : "them") + " is a straight line; if the true motion was not, record it again";
 
     public static string TooShort(double seconds, double neededSeconds) =>
         FormattableString.Invariant($"{seconds:G6} s is too short: a frame is evaluated only after sample 4 has arrived, which takes up ")
