@@ -9,8 +9,6 @@ namespace Nowpose.Headless.Tests.Gateway.Clock;
 /// <summary>Tests, in virtual time, how the gateway measures two clocks of one control system, which have different rates.</summary>
 public class ServedClockTests
 {
-    static readonly TimeSpan OneWay = TimeSpan.FromMilliseconds(0.4);
-
     [TestCase(0, 0)]
     [TestCase(40, -25)]
     [TestCase(-120, 90)]
@@ -235,63 +233,6 @@ public class ServedClockTests
         Assert.That(failed, Is.EqualTo(PlantClockMessages.State("plc", "holdover (the plant has stopped)", isControlClock: true)));
         Assert.That(after.Select(line => line.Contains("coarse", StringComparison.Ordinal)), Has.Some.True, string.Join("\n", lines));
         Assert.That(after, Has.None.Contains("the plant has stopped"));
-    }
-
-    /// <summary>Simulates the gateway's counter and the clocks, which are measured every 200 ms with one-way delays of 0.4 to 0.6 ms.</summary>
-    internal sealed class VirtualPlant : IPerformanceCounterClock
-    {
-        readonly List<VirtualPlantClock> _clocks = [];
-        readonly Random _random = new(7);
-
-        public VirtualPlant(string wanted = null, IControlClock own = null)
-        {
-            Clocks = new PlantClocks(wanted, this);
-            Served = new ServedClock(own ?? new StopwatchControlClock(ControlTime.FromSeconds(1)), Clocks);
-        }
-
-        public PlantClocks Clocks { get; }
-        public ServedClock Served { get; }
-        public HeadsetTime Now { get; private set; } = HeadsetTime.FromSeconds(50);
-
-        public HeadsetTime At(long count) => throw new NotSupportedException("virtual time has no counts");
-
-        public VirtualPlantClock Add(string name, double startSeconds, double ppm)
-        {
-            var clock = new VirtualPlantClock(this, Clocks.Find(name), ControlTime.FromSeconds(startSeconds), ppm * 1e-6);
-            _clocks.Add(clock);
-            return clock;
-        }
-
-        public void Run(TimeSpan length)
-        {
-            for (var end = Now + length; Now < end; Pass(TimeSpan.FromMilliseconds(50)))
-                foreach (var clock in _clocks) clock.Exchange(Way(), Way());
-        }
-
-        public void Pass(TimeSpan length) => Now += length;
-
-        TimeSpan Way() => OneWay + TimeSpan.FromMilliseconds(0.2 * _random.NextDouble());
-    }
-
-    internal sealed class VirtualPlantClock(VirtualPlant plant, PlantClock measured, ControlTime start, double skew)
-    {
-        readonly HeadsetTime _started = plant.Now;
-        ControlTime _start = start;
-
-        public double Skew { get; set; } = skew;
-
-        public ControlTime Shown => At(plant.Now);
-
-        public void Step(TimeSpan by) => _start += by;
-
-        public void Exchange(TimeSpan there, TimeSpan back)
-        {
-            // The exchange is added when the reply arrives, so the request was sent one round-trip time earlier.
-            var asked = plant.Now - there - back;
-            measured.Add(new SyncExchange(asked, At(asked + there), At(asked + there), plant.Now, new TimeSpan(1)));
-        }
-
-        ControlTime At(HeadsetTime time) => _start + new TimeSpan((long)((time - _started).Ticks * (1 + Skew)));
     }
 
     sealed class InterruptedClock : IControlClock

@@ -69,7 +69,7 @@ public class StampWatchTests : StampWatchFixture
     public void Look_ServedSystemClockCorrectedButNotTheSource_ReportsAContradictionOfTheSource(double seconds, string expected)
     {
         var clock = new SystemControlClock(_time);
-        var watch = new ServedClock(clock, new ServedClockTests.VirtualPlant().Clocks, _time).Stamps;
+        var watch = new ServedClock(clock, new VirtualPlant().Clocks, _time).Stamps;
         var uncorrected = TimeSpan.Zero;
         var withoutCorrection = () => clock.Now - uncorrected;
         Run(watch, clock, StampWatch.Seconds + 1, withoutCorrection, () => clock.Now);

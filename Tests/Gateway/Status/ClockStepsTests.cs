@@ -9,7 +9,7 @@ public class ClockStepsTests
     [Test]
     public void Look_ControlClockStepped_AddsOneEventPerStep()
     {
-        var plant = new ServedClockTests.VirtualPlant();
+        var plant = new VirtualPlant();
         var plc = plant.Add("plc", 1000, 20);
         var events = new EventList(new SteppedTime(), (_, _) => { });
         var steps = new ClockSteps(plant.Clocks, events);
@@ -35,7 +35,7 @@ public class ClockStepsTests
     [Test]
     public void Look_ControlClockRunsAtAWrongRate_AddsAtMostOneEvent()
     {
-        var plant = new ServedClockTests.VirtualPlant();
+        var plant = new VirtualPlant();
         plant.Add("plc", 1000, -3000);
         var events = new EventList(new SteppedTime(), (_, _) => { });
         var steps = new ClockSteps(plant.Clocks, events);
