@@ -121,7 +121,7 @@ static class ReplayVerb
             throw new InputException(OptionValueMessages.NotCompressed(FramesOption, frames));
     }
 
-    /// <summary>Calls a replay with an action that writes each value to a file; with null if there is no file.</summary>
+    /// <summary>Calls a replay with an action that writes each value to a file, or with null without a file.</summary>
     static T WithFrames<T>(string path, IReadOnlyList<(string Name, string Unit)> axes, Func<Action<ScoredValue>, T> replay)
     {
         if (path == null) return replay(null);

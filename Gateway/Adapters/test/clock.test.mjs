@@ -157,7 +157,7 @@ describe('plant clock', () => {
     assert.ok(answered > 0 && answered <= 7, `${answered} answers of a stopped clock`);
     assert.equal(before.resolution_ns, 1_000_000);
     assert.equal(after.resolution_ns, 1_000_000);
-    // A standstill that has not ended may be a pause, which is no step of the clock.
+    // A standstill that has not ended may be a pause instead of a step of the clock.
     assert.deepEqual([...coarse], [null]);
   });
 
