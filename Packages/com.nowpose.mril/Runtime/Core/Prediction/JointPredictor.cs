@@ -7,9 +7,10 @@ namespace Nowpose.Prediction
     /// <summary>Predicts one joint's position at times near its newest samples, usually ahead of them.</summary>
     /// <remarks>
     /// <see cref="Add"/> puts a sample into order and into the buffer, updates the state of the motion, and solves the forecaster for it. The
-    /// curve through the samples and the forecast until the next sample are the section (Schnierle &amp; Röck 2022, Eq. 8). <see cref="At"/> reads the section, the plan if the joint
-    /// follows one, and the remainder of the difference from the previous section. Times are seconds of control time since an epoch that the caller
-    /// selects. It must be near the samples: within 1e6 s, rounding is negligible. Not thread-safe. Allocates nothing after construction.
+    /// curve through the samples and the forecast until the next sample are the section (Schnierle &amp; Röck 2022, Eq. 8). <see cref="At"/> reads the
+    /// section, the plan if the joint follows one, and the remainder of the difference from the previous section. Times are seconds of control time since
+    /// an epoch that the caller selects. It must be near the samples: within 1e6 s, rounding is negligible. Not thread-safe. Allocates nothing after
+    /// construction.
     /// </remarks>
     public sealed class JointPredictor
     {
