@@ -70,11 +70,11 @@ sealed class CalibrationOutput
     static void WritePairs(TextWriter file, IEnumerable<MeasuredPicture> pictures, PairOrigin origin)
     {
         file.Write($"file,vertices,render_ms,visu_ms,{string.Join(',', PairOrigin.Columns)}\n");
-        var ends = string.Join(',', origin.Values.Select(Quoted));
+        var ends = string.Join(',', origin.Values.Select(CsvField.Quoted));
         foreach (var picture in pictures.Where(each => each.RenderMs.HasValue))
             file.Write(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{Quoted(picture.File)},{picture.Vertices},{picture.RenderMs:0.####},{picture.VisuMs:0.####},{ends}\n"));
+                $"{CsvField.Quoted(picture.File)},{picture.Vertices},{picture.RenderMs:0.####},{picture.VisuMs:0.####},{ends}\n"));
     }
 
     // Gets the path for a profile without a limit, and prints a message that the existing profile is kept.
@@ -96,6 +96,4 @@ sealed class CalibrationOutput
             return null;
         }
     }
-
-    static string Quoted(string name) => name?.IndexOfAny([',', '"', '\n']) >= 0 ? '"' + name.Replace("\"", "\"\"", StringComparison.Ordinal) + '"' : name;
 }

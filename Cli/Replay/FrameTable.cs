@@ -14,13 +14,10 @@ sealed class FrameTable(TextWriter to, IReadOnlyList<(string Name, string Unit)>
     {
         var (name, unit) = axes[value.Axis];
         to.Write(string.Create(CultureInfo.InvariantCulture,
-            $"{value.Ticks / (decimal)TimeSpan.TicksPerSecond},{Quoted(name)},{unit},{value.Truth:R},{value.Held:R},{value.Predicted:R},")
+            $"{value.Ticks / (decimal)TimeSpan.TicksPerSecond},{CsvField.Quoted(name)},{unit},{value.Truth:R},{value.Held:R},{value.Predicted:R},")
             + Known(value.Deviation) + "\n");
     }
 
     // The deviation is empty if it is unknown.
     static string Known(double deviation) => double.IsNaN(deviation) ? "" : deviation.ToString("R", CultureInfo.InvariantCulture);
-
-    static string Quoted(string name) => name.IndexOfAny([',', '"', '\n', '\r']) < 0
-        ? name : '"' + name.Replace("\"", "\"\"", StringComparison.Ordinal) + '"';
 }
