@@ -94,6 +94,17 @@ namespace Nowpose.Tests.Core.Sync
             Assert.That(ShownMs(clock, better, 0.032), Is.EqualTo(correctionMs).Within(1e-3));
         }
 
+        [TestCase(1100)]
+        [TestCase(-33_000)]
+        public void Follow_CorrectionOfMoreThanASecond_TakesEffectAtOnce(int correctionMs)
+        {
+            var clock = new DisplayClock();
+            ShownMs(clock, Model(0, ClockState.Converging), 0);
+
+            Assert.That(ShownMs(clock, Model(correctionMs, ClockState.Converging), 0.016), Is.EqualTo(correctionMs));
+            Assert.That(clock.IsRestarted);
+        }
+
         // The estimate is coarse from the first exchange after a silence on, but the displayed clock is not accurate yet.
         [Test]
         public void Follow_LargeCorrectionOfACoarseClock_IsConvergingUntilItIsApplied()
