@@ -36,7 +36,8 @@ namespace Nowpose.Frames
             PredictionParts parts = PredictionParts.Object)
         {
             _pipeline = Predictors.OfAnObject<BodySample>(predictor, limits, forecasters, parts);
-            for (var part = 0; part < Parts; part++) _blends[part] = new SectionBlend(Components, Predictors.BlendOf(predictor, blend));
+            for (var part = 0; part < Parts; part++)
+                _blends[part] = new SectionBlend(Components, Predictors.BlendOf(predictor, blend), limits.HorizonCap);
             _past = new PastValues<PoseSample>(limits.MaximumGap, Between);
             _horizonCap = limits.HorizonCap;
         }

@@ -30,7 +30,7 @@ namespace Nowpose.Prediction
         double _newest, _turns;
 
         internal JointPredictor(PredictionPipeline<JointSample> pipeline, PredictionLimits limits, double blend) =>
-            (_pipeline, _limits, _blend) = (pipeline, limits, new SectionBlend(components: 1, blend));
+            (_pipeline, _limits, _blend) = (pipeline, limits, new SectionBlend(components: 1, blend, limits.HorizonCap));
 
         /// <summary>Position of the newest sample, which a display without compensation shows; 0 before the first sample.</summary>
         public double Hold => _newest;

@@ -23,7 +23,7 @@ namespace Nowpose.Prediction
         /// </summary>
         const double MaxResidualRatio = 4;
 
-        readonly double _maxTimeConstant;
+        readonly double _maxTimeConstant, _horizonCap;
         readonly double[] _residual;
         double _from, _timeConstant;
         bool _isActive;
@@ -33,12 +33,13 @@ namespace Nowpose.Prediction
 
         /// <param name="components">Number of components of the displayed value.</param>
         /// <param name="blend">Maximum time constant of the decay, in s. 0 means no blending: the displayed value jumps.</param>
+        /// <param name="horizonCap">Time after its newest sample from which on a section is held, in s.</param>
         /// <exception cref="ArgumentOutOfRangeException">The time constant is negative or not finite.</exception>
-        public SectionBlend(int components, double blend)
+        public SectionBlend(int components, double blend, double horizonCap)
         {
             if (!(blend >= 0) || double.IsPositiveInfinity(blend))
                 throw new ArgumentOutOfRangeException(nameof(blend), blend, PredictionMessages.NegativeSeconds);
-            (_maxTimeConstant, _residual) = (blend, new double[components]);
+            (_maxTimeConstant, _residual, _horizonCap) = (blend, new double[components], horizonCap);
             Reset();
         }
 
@@ -73,9 +74,10 @@ namespace Nowpose.Prediction
                 _residual[c] = residual[c];
                 squares += _residual[c] * _residual[c];
             }
-            // Before the first section, nothing was displayed.
-            _isActive = _timeConstant > 0 && !double.IsInfinity(_displayedSection)
-                && Math.Sqrt(squares) <= MaxResidualRatio * motion.MaxSpeed * (displayed - _displayedSection);
+            var age = displayed - _displayedSection;
+            // Before the first section, nothing was displayed. Blending would show a part of a held position as current.
+            _isActive = _timeConstant > 0 && !double.IsInfinity(_displayedSection) && age <= _horizonCap
+                && Math.Sqrt(squares) <= MaxResidualRatio * motion.MaxSpeed * age;
         }
 
         /// <summary>Ends the decay: the section is displayed as it is.</summary>

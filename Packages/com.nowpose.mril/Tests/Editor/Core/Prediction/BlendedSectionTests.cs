@@ -79,6 +79,18 @@ namespace Nowpose.Tests.Core.Prediction
             Assert.That(blended.Show(1.1 + 20 * TimeConstant).Position, Is.EqualTo(1).Within(1e-6));
         }
 
+        [Test]
+        public void At_FirstSampleAfterAHeldPosition_IsNotBlended()
+        {
+            var (blended, bare) = Moving(1);
+            var held = blended.Show(1 + Limits.HorizonCap + 0.1);
+            Assert.That(held.Kind, Is.EqualTo(PredictionKind.Held));
+            for (var i = 1; i <= 8; i++) Add(blended, bare, 1 + i * Interval, 1 + i * Interval);
+
+            var time = 1 + Limits.HorizonCap + 0.1 + Frame;
+            Assert.That(blended.Show(time).Position, Is.EqualTo(bare.At(time).Position).And.GreaterThan(held.Position + 0.1));
+        }
+
         // The plan is offset from the predicted position. The test reads the displayed position at very short intervals. Its speed must not exceed
         // the speed of the motion plus that of the blend.
         [TestCase(1.2, 0.02, TestName = "Follow_PlanInTheFuture_StartsAndEndsWithoutAJump")]
@@ -216,17 +228,6 @@ namespace Nowpose.Tests.Core.Prediction
 
             Assert.That(blended.Show(1.1 + 0.26).Position, Is.EqualTo(bare.At(1.1 + 0.26).Position).Within(1e-12));
             Assert.That(blended.Show(1.1 + 0.27).Position, Is.EqualTo(bare.At(1.1 + 0.27).Position).Within(1e-12));
-        }
-
-        [Test]
-        public void At_SectionBeyondTheHorizon_StaysHeldAndBlends()
-        {
-            var (blended, bare) = Moving(1);
-            var shown = blended.Show(1.32);
-            Add(blended, bare, 1 + Interval, 1);
-
-            Assert.That(shown.Kind, Is.EqualTo(PredictionKind.Held));
-            Assert.That(blended.Show(1.32).Position, Is.EqualTo(shown.Position).Within(1e-12));
         }
 
         [Test]
