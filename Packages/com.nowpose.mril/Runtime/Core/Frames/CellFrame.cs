@@ -188,7 +188,8 @@ namespace Nowpose.Frames
         /// </summary>
         public void ChangeParent(ControlTime epoch)
         {
-            _shown.Continue();
+            // A pose that is not current is not where the object was.
+            if (State == FrameState.Current) _shown.Continue();
             _grips.Show();
             if (_handOver.Count == 0) return;
             // The object's source has priority: it has given the object another parent.

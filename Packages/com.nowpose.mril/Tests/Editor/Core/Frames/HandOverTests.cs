@@ -69,6 +69,22 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
+        public void HandOver_ObjectThatWasHeld_IsAtItsPlaceAtOnce()
+        {
+            var tree = NewTree();
+            tree.Add(Pose(0, "world", "fixture", 1), isStationary: true);
+            for (var i = 0; i < 10; i++) tree.Add(Pose(i * Sampling, "world", "part", 0.85), isStationary: false);
+            tree.Evaluate(At(2));
+            Assert.That(FrameOf(tree, "part").State, Is.EqualTo(FrameState.Held));
+
+            tree.Add(Pose(2, "fixture", "part"), isStationary: false);
+            tree.Evaluate(At(2.1));
+
+            Assert.That(FrameOf(tree, "part").State, Is.EqualTo(FrameState.Current));
+            Assert.That(FrameOf(tree, "part").World.X, Is.EqualTo(1));
+        }
+
+        [Test]
         public void HandOver_OnePoseInTheNewParent_IsAssumedAtRestUpToTheHorizonCap()
         {
             var tree = NewTree();
