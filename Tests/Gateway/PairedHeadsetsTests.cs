@@ -78,7 +78,8 @@ public sealed class PairedHeadsetsTests
         if (isFolder) Directory.CreateDirectory(gateway.ListPath);
 
         Assert.That(await RosbridgeStatusAsync(gateway, own), Is.EqualTo(HttpStatusCode.SwitchingProtocols));
-        Assert.That(gateway.Log.Count(line => line.StartsWith(gateway.ListPath, StringComparison.Ordinal)), Is.EqualTo(1));
+        // The gateway may have read the list before the folder was created, which is another reason.
+        Assert.That(gateway.Log.Where(line => line.StartsWith(gateway.ListPath, StringComparison.Ordinal)), Is.Not.Empty.And.Unique);
     }
 
     [Test]
