@@ -38,7 +38,7 @@ public static class ComparedPredictors
     public static JointPredictor DoubleExponential(double timeConstant) => By(new DoubleExponential(timeConstant));
 
     static JointPredictor By(Forecaster forecaster) => new(
-        new PredictionPipeline<JointSample>([forecaster], forecaster.UsedSamples, PredictionParts.None, PredictionLimits.Unlimited),
+        new PredictionPipeline<JointSample>([forecaster], checks: null, forecaster.UsedSamples, PredictionParts.None, PredictionLimits.Unlimited),
         PredictionLimits.Unlimited, blend: 0);
 
     static ComparedPredictor Ours(string name) => new(name, () => Predictors.Create(name, PredictionLimits.Unlimited));

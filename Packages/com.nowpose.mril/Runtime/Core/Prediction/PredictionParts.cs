@@ -57,7 +57,7 @@ namespace Nowpose.Prediction
         /// <summary>Predicts the mean of samples that only scatter.</summary>
         Scatter = 16384,
 
-        /// <summary>Detects positions that jump.</summary>
+        /// <summary>Leaves wrong samples out, and detects positions that jump.</summary>
         Jumps = 32768,
 
         /// <summary>Limits the distance of a forecast from the line.</summary>

@@ -23,11 +23,12 @@ namespace Nowpose.Prediction
         bool _isSolved;
 
         /// <param name="forecasters">One forecaster per motion, each of this joint or object only. The motions have equally many components.</param>
+        /// <param name="checks">Check of the positions of each motion; null to use all samples.</param>
         /// <param name="kept">Number of samples to keep.</param>
         /// <param name="parts">
         /// Parts of the pipeline to use. Without interpolation, the forecaster is also used before the newest sample, as in the paper.
         /// </param>
-        public PredictionPipeline(Forecaster[] forecasters, int kept, PredictionParts parts, PredictionLimits limits)
+        public PredictionPipeline(Forecaster[] forecasters, PositionCheck[] checks, int kept, PredictionParts parts, PredictionLimits limits)
         {
             (_forecasters, _limits) = (forecasters, limits);
             _interpolates = (parts & PredictionParts.Interpolation) != 0;
@@ -36,7 +37,7 @@ namespace Nowpose.Prediction
             _components = default(TSample).Components / forecasters.Length;
             _motions = new MotionState[forecasters.Length];
             for (var i = 0; i < _motions.Length; i++)
-                _motions[i] = new MotionState(_components, i * _components, kept, _buffer.Timing, omitsWrong: (parts & PredictionParts.Jumps) != 0);
+                _motions[i] = new MotionState(_components, i * _components, kept, _buffer.Timing, checks?[i]);
         }
 
         /// <summary>Whether no sample has been added.</summary>
@@ -111,11 +112,10 @@ namespace Nowpose.Prediction
             var hasJumped = false;
             for (var i = 0; i < _motions.Length; i++)
             {
-                _motions[i].Take(_buffer);
                 // If the position jumps, the object is elsewhere. A tracker may confuse two rotations although the position is right.
-                _motions[i].HasOtherMotionJumped = hasJumped;
+                _motions[i].Take(_buffer, hasJumped);
                 _isSolved &= _forecasters[i].Solve(_motions[i]);
-                hasJumped |= _forecasters[i].IsVelocityUnknown;
+                hasJumped |= _motions[i].HasJumped;
             }
             return true;
         }
@@ -143,8 +143,8 @@ namespace Nowpose.Prediction
             }
             if (ahead <= 0) return new SectionPlace(PredictionKind.Interpolated, ahead);
             // One motion of an object may jump while the other continues.
-            foreach (var forecaster in _forecasters)
-                if (forecaster.IsVelocityUnknown) return new SectionPlace(PredictionKind.Held, ahead);
+            foreach (var motion in _motions)
+                if (motion.HasJumped) return new SectionPlace(PredictionKind.Held, ahead);
             return new SectionPlace(PredictionKind.Predicted, ahead);
         }
 

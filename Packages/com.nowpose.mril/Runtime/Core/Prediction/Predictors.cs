@@ -102,13 +102,13 @@ namespace Nowpose.Prediction
         /// only.
         /// </param>
         internal static JointPredictor Create(string name, PredictionLimits limits, double blend, ForecasterSet forecasters) => new JointPredictor(
-            Pipeline<JointSample>(name, limits, PredictionParts.Joint, 1, _ => Joint(limits, PredictionParts.Joint, forecasters ?? ForecastersOfJoints())),
+            name == Default ? Joint(limits, PredictionParts.Joint, forecasters ?? ForecastersOfJoints()) : Named<JointSample>(name, 1, limits),
             limits, BlendOf(name, blend));
 
         /// <summary>Creates the default predictor from its parts; prediction.md lists the benefit of each part.</summary>
         /// <param name="more">Additional forecasters of the mixture, for experiments.</param>
-        internal static JointPredictor Adaptive(PredictionLimits limits, PredictionParts parts, params Forecaster[] more) => new JointPredictor(
-            Pipeline<JointSample>(Default, limits, parts, 1, _ => Joint(limits, parts, Forecasters(1, parts, more))), limits, blend: 0);
+        internal static JointPredictor Adaptive(PredictionLimits limits, PredictionParts parts, params Forecaster[] more) =>
+            new JointPredictor(Joint(limits, parts, Forecasters(1, parts, more)), limits, blend: 0);
 
         /// <summary>Creates the pipeline of an object: its position and its angles, with three components each.</summary>
         /// <param name="forecasters">
@@ -117,9 +117,14 @@ namespace Nowpose.Prediction
         /// <param name="parts">Parts of the default predictor.</param>
         /// <inheritdoc cref="Create(string, PredictionLimits, double)"/>
         internal static PredictionPipeline<TSample> OfAnObject<TSample>(string name, PredictionLimits limits, ForecasterSet forecasters, PredictionParts parts)
-            where TSample : struct, ISample<TSample> => Pipeline<TSample>(name, limits, parts, 2, motion => MixtureOf(3, limits, parts,
-                forecasters ??= ForecastersOfObjects(parts), ObjectMatchInterval, new CandidateGate(ObjectBrakingGate),
-                motion == 0 ? new ObjectJumpDetector(3, MinJump, MaxAcceleration) : new ObjectJumpDetector(3, MinTurn, MaxAngularAcceleration)));
+            where TSample : struct, ISample<TSample>
+        {
+            if (name != Default) return Named<TSample>(name, 2, limits);
+            forecasters ??= ForecastersOfObjects(parts);
+            Mixture Motion() => MixtureOf(3, limits, parts, forecasters, ObjectMatchInterval, new CandidateGate(ObjectBrakingGate));
+            return Pipeline<TSample>(limits, parts, new Forecaster[] { Motion(), Motion() },
+                new ObjectPositionCheck(3, MinJump, MaxAcceleration), new ObjectPositionCheck(3, MinTurn, MaxAngularAcceleration));
+        }
 
         /// <summary>Returns the time constant of the blend for a predictor: none for hold, the reference for comparisons.</summary>
         internal static double BlendOf(string name, double blend) => name == Hold ? 0 : blend;
@@ -130,22 +135,18 @@ namespace Nowpose.Prediction
         /// <summary>Creates the forecasters that the objects of one cell share.</summary>
         internal static ForecasterSet ForecastersOfObjects(PredictionParts parts = PredictionParts.Object) => Forecasters(3, parts);
 
-        /// <param name="mixtureOf">Creates the mixture of the motion with this index, for the default predictor.</param>
-        static PredictionPipeline<TSample> Pipeline<TSample>(string name, PredictionLimits limits, PredictionParts parts, int motions, Func<int, Mixture> mixtureOf)
-            where TSample : struct, ISample<TSample>
+        static PredictionPipeline<JointSample> Joint(PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters)
         {
-            var (forecasters, kept) = (new Forecaster[motions], Kept);
-            for (var i = 0; i < motions; i++)
-                forecasters[i] = name == Default ? mixtureOf(i) : Named(name, default(TSample).Components / motions, out kept, out parts);
-            return new PredictionPipeline<TSample>(forecasters, kept, parts, limits);
+            var mixture = MixtureOf(1, limits, parts, forecasters, JointMatchInterval, new CandidateGate(MoveGate, trustsUntested: true));
+            return Pipeline<JointSample>(limits, parts, new Forecaster[] { mixture }, new JointPositionCheck());
         }
 
-        static Mixture Joint(PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters) =>
-            MixtureOf(1, limits, parts, forecasters, JointMatchInterval,
-                new CandidateGate(MoveGate, trustsUntested: true), new OutlierReturnDetector());
+        static PredictionPipeline<TSample> Pipeline<TSample>(PredictionLimits limits, PredictionParts parts, Forecaster[] mixtures, params PositionCheck[] checks)
+            where TSample : struct, ISample<TSample> =>
+            new PredictionPipeline<TSample>(mixtures, Has(parts, PredictionParts.Jumps) ? checks : null, Kept, parts, limits);
 
         static Mixture MixtureOf(int components, PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters,
-            double matchInterval, CandidateGate braking, JumpDetector jumps)
+            double matchInterval, CandidateGate braking)
         {
             var history = Has(parts, PredictionParts.Repetition | PredictionParts.Braking) ? new MotionHistory(components) : null;
             var candidates = new List<Candidate>
@@ -157,7 +158,7 @@ namespace Nowpose.Prediction
             if (Has(parts, PredictionParts.Braking)) candidates.Add(new Candidate(new BrakingForecaster(history), braking));
             if (Has(parts, PredictionParts.Profiles) && ProfileForecaster.HasLimits(limits))
                 candidates.Add(new Candidate(new ProfileForecaster(limits), new CandidateGate(MoveGate)));
-            return new Mixture(components, limits, parts, forecasters, candidates.ToArray(), jumps);
+            return new Mixture(components, limits, parts, forecasters, candidates.ToArray());
         }
 
         // The fits with a history longer than their degree reduce noise. Of the others, the cubic does not stop at a reversal: with such a stop, the
@@ -184,16 +185,17 @@ namespace Nowpose.Prediction
             }
         }
 
-        // Creates the forecaster of a predictor other than the default one. Hold is a polynomial of degree 0, which has no solution: the newest position
-        // remains.
-        static Forecaster Named(string name, int components, out int kept, out PredictionParts parts)
+        // Creates a predictor other than the default one. Hold is a polynomial of degree 0, which has no solution: the newest position remains.
+        static PredictionPipeline<TSample> Named<TSample>(string name, int motions, PredictionLimits limits) where TSample : struct, ISample<TSample>
         {
-            (kept, parts) = (Kept, PredictionParts.Preparation);
-            if (name == "gp") return new CalibratedProcess(components);
-            if (!TryReadPolynomial(name, out var degree, out var history))
+            var (components, forecasters) = (default(TSample).Components / motions, new Forecaster[motions]);
+            var (isProcess, degree, history) = (name == "gp", 0, Kept - 1);
+            if (!isProcess && !TryReadPolynomial(name, out degree, out history))
                 throw new InputException(PredictionMessages.UnknownPredictor(name, string.Join(", ", Names)));
-            (kept, parts) = (history + 1, PredictionParts.None);
-            return new PolynomialForecaster(degree, history);
+            for (var i = 0; i < motions; i++)
+                forecasters[i] = isProcess ? new CalibratedProcess(components) : (Forecaster)new PolynomialForecaster(degree, history);
+            return new PredictionPipeline<TSample>(
+                forecasters, checks: null, history + 1, isProcess ? PredictionParts.Preparation : PredictionParts.None, limits);
         }
 
         static bool Has(PredictionParts parts, PredictionParts part) => (parts & part) != 0;

@@ -24,9 +24,6 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Maximum time of a forecast after the newest sample, in s; infinite without a maximum.</summary>
         public virtual double Span => double.PositiveInfinity;
 
-        /// <summary>Whether the displacement to the newest sample is a jump, so that the velocity there is unknown.</summary>
-        public virtual bool IsVelocityUnknown => false;
-
         /// <summary>Fits the forecaster to the newest samples.</summary>
         /// <returns>Whether the forecaster can forecast from these samples.</returns>
         public abstract bool Solve(MotionState motion);

@@ -42,7 +42,6 @@ namespace Nowpose.Prediction.Mixing
         readonly PredictionParts _parts;
         readonly ForecasterSet _forecasters;
         readonly Candidate[] _candidates;
-        readonly JumpDetector _jumps;
         readonly ChangePointDetector _changePoints;
         readonly MixtureWeights _weights;
         readonly PendingForecasts _pending;
@@ -56,11 +55,9 @@ namespace Nowpose.Prediction.Mixing
         /// <param name="limits">Horizon cap, and for a joint the limits of its drive.</param>
         /// <param name="forecasters">Forecasters of the mixture, which other motions may use in turn.</param>
         /// <param name="candidates">Forecasters that may replace the mixture.</param>
-        public Mixture(int components, PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters, Candidate[] candidates,
-            JumpDetector jumps)
+        public Mixture(int components, PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters, Candidate[] candidates)
         {
             (_components, _limits, _parts, _forecasters, _candidates) = (components, limits, parts, forecasters, candidates);
-            _jumps = jumps;
             _points = ForecastTable.PointsUpTo(limits.HorizonCap);
             _changePoints = new ChangePointDetector();
             _weights = new MixtureWeights(forecasters.Count);
@@ -71,15 +68,12 @@ namespace Nowpose.Prediction.Mixing
 
         public override double Span => ForecastTable.Span;
 
-        public override bool IsVelocityUnknown => _jumps.IsVelocityUnknown;
-
         public override bool Solve(MotionState motion)
         {
             if (motion.IsNewest)
             {
                 _forgettingFactor = Math.Exp(-motion.Timing.Interval / TimeConstant);
-                if (Uses(PredictionParts.Jumps)) _jumps.Add(motion);
-                DetectChangePoint(motion);
+                _changePoints.Add(motion, _forgettingFactor);
                 Learn(motion);
                 if (Uses(PredictionParts.Scatter)) motion.Rest.AddNoise(motion.Displacements, Connected(motion));
                 foreach (var candidate in _candidates) candidate.Add(motion);
@@ -93,7 +87,6 @@ namespace Nowpose.Prediction.Mixing
         public override void Reset()
         {
             foreach (var candidate in _candidates) candidate.Reset();
-            _jumps.Reset();
             _changePoints.Reset();
             _weights.Reset();
             _pending.Clear();
@@ -103,21 +96,15 @@ namespace Nowpose.Prediction.Mixing
 
         bool Uses(PredictionParts part) => (_parts & part) != 0;
 
-        void DetectChangePoint(MotionState motion)
-        {
-            if (IsVelocityUnknown) _changePoints.AddJump();
-            else _changePoints.Add(motion, _forgettingFactor, _jumps.IsUnconfirmed);
-        }
-
         void Learn(MotionState motion)
         {
             // After a gap or a jump, earlier forecasts are wrong for a reason that no forecaster can know.
-            if (motion.Count == 1 || IsVelocityUnknown) _pending.Clear();
+            if (motion.Count == 1 || motion.HasJumped) _pending.Clear();
             if (motion.IsPreviousWrong) _pending.DropNewest();
             // One error per component and sample, all of which the weights forget with the same time constant.
             var factorPerError = Math.Exp(-motion.Timing.Interval / (_components * TimeConstant));
             // An error that a wrong sample shows would remain in all means for seconds. The next sample drops its forecasts.
-            if (!_jumps.IsUnconfirmed) _pending.Score(motion, factorPerError);
+            if (!motion.IsUnconfirmed) _pending.Score(motion, factorPerError);
             _weights.Solve(Prior(motion), PriorErrors * (1 - factorPerError), SquareWithinHorizon(motion));
         }
 
@@ -131,18 +118,18 @@ namespace Nowpose.Prediction.Mixing
         // The mean square of the components of the displacement within one horizon, at the present speed.
         double SquareWithinHorizon(MotionState motion)
         {
-            var displacement = IsVelocityUnknown ? 0 : motion.Speed * motion.Timing.Horizon;
+            var displacement = motion.HasJumped ? 0 : motion.Speed * motion.Timing.Horizon;
             return displacement * displacement / _components;
         }
 
         // Number of newest samples without a gap or a jump.
-        int Connected(MotionState motion) => Math.Min(motion.Count, _jumps.SamplesSince);
+        int Connected(MotionState motion) => Math.Min(motion.Count, motion.SamplesSinceJump);
 
         void Forecast(MotionState motion)
         {
             var samples = Connected(motion);
             if (Uses(PredictionParts.ChangePoints)) samples = Math.Min(samples, _changePoints.SamplesSince);
-            var speedFactor = motion.Count < 2 || IsVelocityUnknown ? 0 : samples == 1 && !_changePoints.SpeedIncreased ? SpeedRatioAfterStop : 1;
+            var speedFactor = motion.Count < 2 || motion.HasJumped ? 0 : samples == 1 && !_changePoints.SpeedIncreased ? SpeedRatioAfterStop : 1;
             _forecasters.Fill(motion, samples, speedFactor, _points);
             if (motion.IsNewest) Expect(motion);
             FillTable(motion, speedFactor);
@@ -151,13 +138,13 @@ namespace Nowpose.Prediction.Mixing
         void Expect(MotionState motion)
         {
             var distance = _pending.Add(motion);
-            if (Uses(PredictionParts.DistanceLimit)) _distance.Add(distance, _forgettingFactor, _jumps.IsUnconfirmed);
+            if (Uses(PredictionParts.DistanceLimit)) _distance.Add(distance, _forgettingFactor, motion.IsUnconfirmed);
         }
 
         void FillTable(MotionState motion, double speedFactor)
         {
             Array.Clear(_table, 0, _table.Length);
-            if (IsVelocityUnknown) return;
+            if (motion.HasJumped) return;
             if (BestCandidate() is { } candidate) candidate.Fill(_table, _points, _components);
             else FillMixture(motion, speedFactor);
             // The displayed position is that of the newest sample at its time.

@@ -59,15 +59,19 @@ namespace Nowpose.Prediction.State
 
         /// <summary>Adds the newest sample of a motion.</summary>
         /// <param name="forgettingFactor">Factor of the maxima since the previous sample, 0 to 1.</param>
-        /// <param name="isUnconfirmed">Whether the sample may be wrong (<see cref="JumpDetector.IsUnconfirmed"/>): it does not increase the maxima.</param>
-        public void Add(MotionState motion, double forgettingFactor, bool isUnconfirmed)
+        public void Add(MotionState motion, double forgettingFactor)
         {
+            if (motion.HasJumped)
+            {
+                AddJump();
+                return;
+            }
             if (motion.IsPreviousWrong) (_samples, SamplesSince, _acceleration, _speed) = (_formerSamples, _formerSince, 0, 0);
             Store();
             _samples = Math.Min(_samples, int.MaxValue - 1) + 1;
             SamplesSince = Math.Min(SamplesSince + 1, _samples);
             if (_samples < 2) return;
-            if (!isUnconfirmed) RaiseMaxima();
+            if (!motion.IsUnconfirmed) RaiseMaxima();
             (_maxAcceleration, _maxSpeed) = (_maxAcceleration * forgettingFactor, _maxSpeed * forgettingFactor);
             double interval = motion.Interval, newest = motion.Speed, before = Vectors.Length(motion.VelocityBefore);
             var change = Vectors.Distance(motion.Velocity, motion.VelocityBefore);
@@ -91,20 +95,19 @@ namespace Nowpose.Prediction.State
             _intervalBefore = interval;
         }
 
-        /// <summary>Adds a sample at a place that has no connection with the samples before it.</summary>
-        public void AddJump()
-        {
-            Store();
-            // The velocity of the next sample is compared with nothing.
-            (SamplesSince, SpeedIncreased, _samples) = (1, false, 1);
-            (_acceleration, _speed) = (0, 0);
-        }
-
         public void Reset()
         {
             _acceleration = _speed = _maxAcceleration = _maxSpeed = _intervalBefore = 0;
             SamplesSince = _samples = _formerSamples = _formerSince = 0;
             SpeedIncreased = IsSteady = _wasSteady = false;
+        }
+
+        // The velocity of the next sample is compared with nothing.
+        void AddJump()
+        {
+            Store();
+            (SamplesSince, SpeedIncreased, _samples) = (1, false, 1);
+            (_acceleration, _speed) = (0, 0);
         }
 
         void Store() => (_formerSamples, _formerSince) = (_samples, SamplesSince);

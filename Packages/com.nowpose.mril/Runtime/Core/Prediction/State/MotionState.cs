@@ -10,27 +10,24 @@ namespace Nowpose.Prediction.State
     /// <remarks>The components of a sample are adjacent in all arrays.</remarks>
     sealed class MotionState
     {
-        /// <summary>
-        /// Minimum speed to a wrong sample and back, relative to the maximum speed. When a joint reverses at its maximum speed, the ratio is 1. With 1.3, the
-        /// errors are the same; with 2, those on recordings are 0.2 % smaller, but wrong samples of fast motions are not found.
-        /// </summary>
-        const double WrongRatio = 1.5;
-
         readonly int _first, _capacity;
-        readonly bool _omitsWrong;
+
+        // Null if all samples are used.
+        readonly PositionCheck _check;
 
         // Time of the newest sample that was left out because its position is wrong, in s.
         double _wrongTime = double.NaN;
 
         bool _wasNewestForgotten;
+        int _sinceBefore;
 
         /// <param name="first">Index of the first component in the samples.</param>
         /// <param name="capacity">Maximum number of samples that a forecaster uses.</param>
         /// <param name="timing">Timing of the samples, which the motions of an object share.</param>
-        /// <param name="omitsWrong">Whether a single sample whose position is wrong is left out (<see cref="IsPreviousWrong"/>).</param>
-        public MotionState(int components, int first, int capacity, SampleTiming timing, bool omitsWrong)
+        /// <param name="check">Check of the positions of this motion; null to use all samples.</param>
+        public MotionState(int components, int first, int capacity, SampleTiming timing, PositionCheck check = null)
         {
-            (Components, _first, _capacity, Timing, _omitsWrong) = (components, first, capacity, timing, omitsWrong);
+            (Components, _first, _capacity, Timing, _check) = (components, first, capacity, timing, check);
             (Newest, Previous) = (new double[components], new double[components]);
             (Velocity, VelocityBefore) = (new double[components], new double[components]);
             (Times, Displacements) = (new double[capacity], new double[capacity * components]);
@@ -96,19 +93,29 @@ namespace Nowpose.Prediction.State
         public double MaxSpeed { get; private set; }
 
         /// <summary>
-        /// Whether the newest sample shows that the one before it was wrong: the motion went there and back at a speed that it has never had, or its stamp was in
-        /// the future. A wrong sample is left out from then on: it would give wrong velocities, and would reappear in a forecast whenever the motion repeats.
+        /// Whether the newest sample shows that the one before it was wrong: its position (<see cref="PositionCheck.IsPreviousWrong"/>), or its stamp, which
+        /// was in the future. It is left out from then on, so that all velocities are those of the other samples: it would reappear in a forecast whenever the
+        /// motion repeats. Counts of samples return to their values before it, and the forecasts from it are dropped.
         /// </summary>
         public bool IsPreviousWrong { get; private set; }
+
+        /// <summary>Whether the newest position is right, and the displacement to it a velocity.</summary>
+        public PositionVerdict Verdict { get; private set; }
+
+        /// <inheritdoc cref="PositionVerdict.Unconfirmed"/>
+        public bool IsUnconfirmed => Verdict == PositionVerdict.Unconfirmed;
+
+        /// <inheritdoc cref="PositionVerdict.Jumped"/>
+        public bool HasJumped => Verdict == PositionVerdict.Jumped;
+
+        /// <summary>Number of samples since the newest jump, including the sample after it; int.MaxValue if there is none since the last gap.</summary>
+        public int SamplesSinceJump { get; private set; }
 
         /// <summary>Velocity and acceleration that the source reported with the newest sample; NaN if it did not.</summary>
         public double ReportedVelocity { get; private set; }
 
         /// <inheritdoc cref="ReportedVelocity"/>
         public double ReportedAcceleration { get; private set; }
-
-        /// <summary>Whether another motion of the same object has jumped at the newest sample, so that the object is elsewhere.</summary>
-        public bool HasOtherMotionJumped { get; set; }
 
         /// <summary>Whether and how the motion rests.</summary>
         public RestDetector Rest { get; }
@@ -134,7 +141,8 @@ namespace Nowpose.Prediction.State
         }
 
         /// <summary>Takes the samples of a buffer that has added a sample.</summary>
-        public void Take<TSample>(SampleBuffer<TSample> buffer) where TSample : struct, ISample<TSample>
+        /// <param name="hasOtherMotionJumped">See <see cref="PositionCheck.Examine"/>.</param>
+        public void Take<TSample>(SampleBuffer<TSample> buffer, bool hasOtherMotionJumped = false) where TSample : struct, ISample<TSample>
         {
             IsNewest = buffer.IsNewest;
             IsPreviousWrong = false;
@@ -162,6 +170,7 @@ namespace Nowpose.Prediction.State
                 for (var c = 0; c < Components; c++) Displacements[at++] = sample[_first + c] - Newest[c];
             }
             UpdateVelocity();
+            if (IsNewest && _check != null) Examine(hasOtherMotionJumped);
         }
 
         /// <summary>Returns to the sample before the newest, because the stamp of the newest is wrong and the buffer has removed it.</summary>
@@ -182,6 +191,7 @@ namespace Nowpose.Prediction.State
             Array.Clear(VelocityBefore, 0, Components);
             MaxSpeed = 0;
             (_wrongTime, IsPreviousWrong, _wasNewestForgotten) = (double.NaN, false, false);
+            ForgetJumps();
             Rest.Reset();
         }
 
@@ -197,8 +207,28 @@ namespace Nowpose.Prediction.State
             for (var c = 0; c < Components; c++) Velocity[c] = (Newest[c] - Previous[c]) / Interval;
             var (product, speed) = (Vectors.Dot(Velocity, VelocityBefore), Math.Min(Speed, Vectors.Length(VelocityBefore)));
             if (product > 0) MaxSpeed = Math.Max(MaxSpeed, speed);
-            if (_omitsWrong && Count > 2 && product < 0 && MaxSpeed > 0 && speed > WrongRatio * MaxSpeed) OmitPrevious();
+            if (product < 0 && _check != null && PositionCheck.IsPreviousWrong(this, speed)) OmitPrevious();
             Rest.AddDisplacement(Vectors.Distance(Newest, Previous), MaxDisplacement);
+        }
+
+        void Examine(bool hasOtherMotionJumped)
+        {
+            // The first displacement is not a jump, because the velocity before it is unknown.
+            if (Count < 2)
+            {
+                ForgetJumps();
+                return;
+            }
+            // The displacement to a wrong sample does not count as a jump.
+            if (!IsPreviousWrong) _sinceBefore = SamplesSinceJump;
+            Verdict = _check.Examine(this, hasOtherMotionJumped);
+            SamplesSinceJump = HasJumped ? 1 : Math.Min(_sinceBefore, int.MaxValue - 1) + 1;
+        }
+
+        void ForgetJumps()
+        {
+            (Verdict, SamplesSinceJump, _sinceBefore) = (PositionVerdict.Right, int.MaxValue, int.MaxValue);
+            _check?.Reset();
         }
 
         void OmitPrevious()

@@ -24,14 +24,14 @@ namespace Nowpose.Tests.Core.Prediction
         public static JointPredictor Of(Forecaster forecaster, PredictionLimits limits = null, PredictionParts parts = PredictionParts.None)
         {
             limits ??= PredictionLimits.Unlimited;
-            return new JointPredictor(new PredictionPipeline<JointSample>(new[] { forecaster }, 24, parts, limits), limits, 0);
+            return new JointPredictor(new PredictionPipeline<JointSample>(new[] { forecaster }, checks: null, 24, parts, limits), limits, 0);
         }
 
         /// <summary>Returns the state of a motion after its samples, which are in the order of their times.</summary>
         public static MotionState Motion(double[] times, double[] positions)
         {
             var buffer = new SampleBuffer<JointSample>(times.Length, PredictionParts.None, PredictionLimits.Unlimited);
-            var motion = new MotionState(1, 0, times.Length, buffer.Timing, omitsWrong: true);
+            var motion = new MotionState(1, 0, times.Length, buffer.Timing, new JointPositionCheck());
             for (var i = 0; i < times.Length; i++)
             {
                 buffer.Add(new JointSample(times[i], positions[i]), displayed: double.NaN);

@@ -153,7 +153,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
 
         // Returns a mixture of hold and a straight line.
         static Mixture Mixture(params Candidate[] candidates) => new Mixture(
-            1, PredictionLimits.Unlimited, PredictionParts.Joint, new ForecasterSet(1), candidates, new OutlierReturnDetector());
+            1, PredictionLimits.Unlimited, PredictionParts.Joint, new ForecasterSet(1), candidates);
 
         void Feed(int from, int to)
         {

@@ -118,7 +118,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
             {
                 _components = components;
                 _forecaster = new TemplateForecaster(new MotionHistory(components.Length), matchInterval: 0);
-                _motion = new MotionState(components.Length, 0, 24, _buffer.Timing, omitsWrong: true);
+                _motion = new MotionState(components.Length, 0, 24, _buffer.Timing);
             }
 
             public bool HasMatch { get; private set; }

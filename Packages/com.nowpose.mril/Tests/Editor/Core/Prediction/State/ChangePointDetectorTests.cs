@@ -11,23 +11,16 @@ namespace Nowpose.Tests.Core.Prediction.State
         const double Interval = 0.05, ForgettingFactor = 0.9975;
 
         // Feeds a first sample, and one sample per speed.
-        static ChangePointDetector After(params double[] speeds) => WithWrongSamples(-2, 1, speeds);
-
-        static ChangePointDetector WithWrongSample(int wrong, params double[] speeds) => WithWrongSamples(wrong, 1, speeds);
-
-        /// <param name="wrong">Index of the speed towards the first wrong sample; -2 if there is none.</param>
-        /// <param name="count">Number of wrong samples, from the last of which the next sample returns.</param>
-        static ChangePointDetector WithWrongSamples(int wrong, int count, params double[] speeds)
+        static ChangePointDetector After(params double[] speeds)
         {
             var buffer = new SampleBuffer<JointSample>(8, PredictionParts.None, PredictionLimits.Unlimited);
-            var (detector, motion, position) = (new ChangePointDetector(), new MotionState(1, 0, 8, buffer.Timing, omitsWrong: true), 0.0);
+            var (detector, motion, position) = (new ChangePointDetector(), new MotionState(1, 0, 8, buffer.Timing, new JointPositionCheck()), 0.0);
             for (var k = 0; k <= speeds.Length; k++)
             {
                 if (k > 0) position += speeds[k - 1] * Interval;
                 buffer.Add(new JointSample(k * Interval, position), displayed: double.NaN);
                 motion.Take(buffer);
-                if (k == wrong + 1 + count && k > 0) detector.AddJump();
-                else detector.Add(motion, ForgettingFactor, isUnconfirmed: k > wrong && k <= wrong + count);
+                detector.Add(motion, ForgettingFactor);
             }
             return detector;
         }
@@ -64,7 +57,7 @@ namespace Nowpose.Tests.Core.Prediction.State
         [Test]
         public void Add_AbruptStopAfterAWrongSample_LeavesOutEarlierSamples()
         {
-            var detector = WithWrongSample(4, 0.9, 1, 1, 1, 50, -48, 1, 1.1, 1, 0);
+            var detector = After(0.9, 1, 1, 1, 50, -48, 1, 1.1, 1, 0);
 
             Assert.That((detector.SamplesSince, detector.SpeedIncreased), Is.EqualTo((1, false)));
         }
@@ -72,7 +65,7 @@ namespace Nowpose.Tests.Core.Prediction.State
         [Test]
         public void Add_AbruptStopAfterSeveralWrongSamples_LeavesOutEarlierSamples()
         {
-            var detector = WithWrongSamples(4, 3, 0.9, 1, 1, 1, 50, 1, 1, -46, 1, 1.1, 1, 0);
+            var detector = After(0.9, 1, 1, 1, 50, 1, 1, -46, 1, 1.1, 1, 0);
 
             Assert.That((detector.SamplesSince, detector.SpeedIncreased), Is.EqualTo((1, false)));
         }
@@ -82,14 +75,14 @@ namespace Nowpose.Tests.Core.Prediction.State
         public void Add_AbruptStopAfterAWrongSampleThatFollowsAGap_LeavesOutEarlierSamples()
         {
             var buffer = new SampleBuffer<JointSample>(8, PredictionParts.None, PredictionLimits.Unlimited);
-            var (detector, motion) = (new ChangePointDetector(), new MotionState(1, 0, 8, buffer.Timing, omitsWrong: true));
+            var (detector, motion) = (new ChangePointDetector(), new MotionState(1, 0, 8, buffer.Timing, new JointPositionCheck()));
             for (var k = 0; k < 12; k++)
             {
                 var time = (k < 5 ? k : k + 40) * Interval;
                 var stop = 50 * Interval;
                 buffer.Add(new JointSample(time, Math.Min(time, stop) * (1 + 0.01 * Math.Sin(5 * time)) + (k == 6 ? 20 : 0)), displayed: double.NaN);
                 motion.Take(buffer);
-                detector.Add(motion, ForgettingFactor, isUnconfirmed: k == 6);
+                detector.Add(motion, ForgettingFactor);
             }
 
             Assert.That(detector.SamplesSince, Is.LessThanOrEqualTo(2));
@@ -97,7 +90,7 @@ namespace Nowpose.Tests.Core.Prediction.State
 
         [Test]
         public void Add_SameVelocityAsBeforeAWrongSample_IsNoChangePoint() =>
-            Assert.That(WithWrongSample(4, 0.9, 1, 1, 1, 50, -48, 1.1, 1.1).SamplesSince, Is.EqualTo(3));
+            Assert.That(After(0.9, 1, 1, 1, 50, -48, 1.1, 1.1).SamplesSince, Is.EqualTo(3));
 
         [Test]
         public void Add_AccelerationLikeEarlierOnes_IsNoChangePoint() =>
@@ -122,16 +115,15 @@ namespace Nowpose.Tests.Core.Prediction.State
         }
 
         [Test]
-        public void AddJump_ConstantVelocity_IsTheOnlyChangePoint()
+        public void Add_JumpOfAnObjectAtConstantVelocity_IsTheOnlyChangePoint()
         {
             var buffer = new SampleBuffer<JointSample>(8, PredictionParts.None, PredictionLimits.Unlimited);
-            var (detector, motion) = (new ChangePointDetector(), new MotionState(1, 0, 8, buffer.Timing, omitsWrong: true));
+            var (detector, motion) = (new ChangePointDetector(), new MotionState(1, 0, 8, buffer.Timing, new ObjectPositionCheck(1, 0.03, 40)));
             for (var k = 0; k < 8; k++)
             {
                 buffer.Add(new JointSample(k * Interval, 0.01 * k + (k < 5 ? 0 : 3)), displayed: double.NaN);
                 motion.Take(buffer);
-                if (k == 5) detector.AddJump();
-                else detector.Add(motion, ForgettingFactor, isUnconfirmed: false);
+                detector.Add(motion, ForgettingFactor);
             }
 
             Assert.That(detector.SamplesSince, Is.EqualTo(3));

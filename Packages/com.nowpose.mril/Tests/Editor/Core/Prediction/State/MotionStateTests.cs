@@ -13,7 +13,7 @@ namespace Nowpose.Tests.Core.Prediction.State
         static MotionState Fed(params double[] positions)
         {
             var buffer = new SampleBuffer<JointSample>(8, PredictionParts.None, PredictionLimits.Unlimited);
-            var motion = new MotionState(1, 0, 8, buffer.Timing, omitsWrong: false);
+            var motion = new MotionState(1, 0, 8, buffer.Timing);
             for (var k = 0; k < positions.Length; k++)
             {
                 buffer.Add(new JointSample(k * Interval, positions[k]), displayed: double.NaN);
@@ -26,7 +26,7 @@ namespace Nowpose.Tests.Core.Prediction.State
         static int MaxStillSamples(Func<int, double> positionOf, int from, int to)
         {
             var buffer = new SampleBuffer<JointSample>(8, PredictionParts.None, PredictionLimits.Unlimited);
-            var (motion, max) = (new MotionState(1, 0, 8, buffer.Timing, omitsWrong: true), 0);
+            var (motion, max) = (new MotionState(1, 0, 8, buffer.Timing, new JointPositionCheck()), 0);
             for (var k = 0; k < to; k++)
             {
                 buffer.Add(new JointSample(k * Interval, positionOf(k)), displayed: double.NaN);
