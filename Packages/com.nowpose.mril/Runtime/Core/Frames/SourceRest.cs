@@ -1,7 +1,6 @@
 using System;
 using Nowpose.Kinematics;
-using Nowpose.Prediction.Samples;
-using Nowpose.Prediction.State;
+using Nowpose.Prediction.Candidates;
 
 namespace Nowpose.Frames
 {
@@ -10,7 +9,7 @@ namespace Nowpose.Frames
     /// while a gripper, and not the source, determines the place of the object, and while a gripper may have moved the object.
     /// </summary>
     /// <remarks>
-    /// <see cref="RestDetector"/> measures the noise from the grip on, if necessary until after the release. For white noise with the standard
+    /// <see cref="ScatterDetector"/> measures the noise from the grip on, if necessary until after the release. For white noise with the standard
     /// deviation σ in each component, the limit is 13.5 σ for three components and 6.8 σ for one; the difference of two samples has √2 σ. Allocates
     /// nothing after construction.
     /// </remarks>
@@ -36,8 +35,8 @@ namespace Nowpose.Frames
 
         const int Components = 3;
 
-        readonly PositionWindow _positions = new PositionWindow(RestDetector.Window, Components), _rotations = new PositionWindow(RestDetector.Window, Components);
-        readonly RestDetector _position = new RestDetector(Components), _rotation = new RestDetector(Components);
+        readonly PositionWindow _positions = new PositionWindow(ScatterDetector.Window, Components), _rotations = new PositionWindow(ScatterDetector.Window, Components);
+        readonly ScatterDetector _position = new ScatterDetector(Components), _rotation = new ScatterDetector(Components);
         RigidTransform _rest, _first;
         double _metres, _radians;
         int _different, _minDifferent = 1;
@@ -46,7 +45,7 @@ namespace Nowpose.Frames
         /// Whether enough samples have been added to measure the noise. After 4 samples, white noise remains undetected in half of all cases; after this
         /// number, in 1 % of the cases if it is in one component, and in less than 0.02 % if it is in three.
         /// </summary>
-        public bool IsNoiseKnown => _positions.Count == RestDetector.Window;
+        public bool IsNoiseKnown => _positions.Count == ScatterDetector.Window;
 
         /// <summary>Starts measuring the noise. Call it at a grip.</summary>
         public void Begin()
@@ -92,10 +91,10 @@ namespace Nowpose.Frames
             if (isMeasuring) SetLimits();
         }
 
-        static void Add(RestDetector detector, PositionWindow window, in Vector3D vector)
+        static void Add(ScatterDetector detector, PositionWindow window, in Vector3D vector)
         {
             window.Add(stackalloc[] { vector.X, vector.Y, vector.Z });
-            detector.AddNoise(window.Positions, window.Count);
+            detector.Add(window.Positions, window.Count);
         }
 
         /// <summary>
@@ -112,5 +111,28 @@ namespace Nowpose.Frames
             var difference = _rest.Inverse * pose;
             return new Vector3D(difference.X, difference.Y, difference.Z).Length > _metres || UnitQuaternion.Of(difference).Log().Length > _radians;
         }
+    }
+
+    /// <summary>Keeps the positions of the newest samples, newest first; the components of a position are adjacent.</summary>
+    sealed class PositionWindow
+    {
+        readonly int _samples, _components;
+
+        public PositionWindow(int samples, int components) =>
+            (_samples, _components, Positions) = (samples, components, new double[samples * components]);
+
+        /// <summary>Number of samples.</summary>
+        public int Count { get; private set; }
+
+        public double[] Positions { get; }
+
+        public void Add(ReadOnlySpan<double> position)
+        {
+            Count = Math.Min(Count + 1, _samples);
+            Array.Copy(Positions, 0, Positions, _components, (Count - 1) * _components);
+            position.CopyTo(Positions);
+        }
+
+        public void Clear() => Count = 0;
     }
 }

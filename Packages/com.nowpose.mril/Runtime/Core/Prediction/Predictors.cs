@@ -149,10 +149,9 @@ namespace Nowpose.Prediction
             double matchInterval, CandidateGate braking)
         {
             var history = Has(parts, PredictionParts.Repetition | PredictionParts.Braking) ? new MotionHistory(components) : null;
-            var candidates = new List<Candidate>
-            {
-                new Candidate(new MeanForecaster(), new CandidateGate(MeanGate, trustsUntested: true))
-            };
+            var candidates = new List<Candidate>();
+            if (Has(parts, PredictionParts.Scatter))
+                candidates.Add(new Candidate(new MeanForecaster(components), new CandidateGate(MeanGate, trustsUntested: true)));
             if (Has(parts, PredictionParts.Repetition))
                 candidates.Add(new Candidate(new TemplateForecaster(history, matchInterval), new CandidateGate(TemplateGate)));
             if (Has(parts, PredictionParts.Braking)) candidates.Add(new Candidate(new BrakingForecaster(history), braking));

@@ -55,7 +55,7 @@ namespace Nowpose.Prediction.Candidates
             if (_starts != _history.Starts) Start();
             double speed = Speed(0), before = Speed(1);
             FollowMove(speed, before);
-            return !motion.Rest.IsStill && speed < (1 - MaxDifferenceRatio) * before && TryFind();
+            return !motion.IsStill && speed < (1 - MaxDifferenceRatio) * before && TryFind();
         }
 
         public override double At(double ahead, int component)
@@ -73,7 +73,7 @@ namespace Nowpose.Prediction.Candidates
 
         void FollowMove(double speed, double before)
         {
-            var (isStill, acceleratesAgain) = (_motion.Rest.IsStill, speed > before && before < NewMoveRatio * _maxSpeed);
+            var (isStill, acceleratesAgain) = (_motion.IsStill, speed > before && before < NewMoveRatio * _maxSpeed);
             if (isStill || Reverses || acceleratesAgain) (_start, _maxSpeed, _beganAtRest) = (_motion.TimeAt(1), 0, isStill);
             if (speed > _maxSpeed) (_maxSpeed, _maxSpeedAt) = (speed, _motion.NewestTime);
         }

@@ -25,7 +25,7 @@ namespace Nowpose.Prediction.Candidates
         public void Add(MotionState motion)
         {
             _hasForecast = _forecaster.Solve(motion);
-            ErrorRatio = _hasForecast ? _gate.ErrorRatio(motion.Rest.IsStill) : double.PositiveInfinity;
+            ErrorRatio = _hasForecast ? _gate.ErrorRatio(motion.IsStill) : double.PositiveInfinity;
         }
 
         /// <summary>Returns a component of the forecast, as in its table, relative to the newest sample; NaN without a forecast.</summary>

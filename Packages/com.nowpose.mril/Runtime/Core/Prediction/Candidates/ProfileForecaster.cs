@@ -67,8 +67,8 @@ namespace Nowpose.Prediction.Candidates
         public override bool Solve(MotionState motion)
         {
             (_newestTime, _newestPosition) = (motion.NewestTime, motion.Newest[0]);
-            (_stillDistance, _tolerance) = (motion.Rest.StillDistance, ToleranceRatio * motion.MaxDisplacement);
-            if (motion.Count < 2 || motion.Rest.StillSamples > 1) Rest(_newestPosition);
+            (_stillDistance, _tolerance) = (motion.StillDistance, ToleranceRatio * motion.MaxDisplacement);
+            if (motion.Count < 2 || motion.StillSamples > 1) Rest(_newestPosition);
             else if (_direction == 0) StartMove(motion.PreviousTime);
             else if (_isKnown) ContinueMove(motion);
             return _isKnown;

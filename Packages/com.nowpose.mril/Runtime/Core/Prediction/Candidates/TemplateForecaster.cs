@@ -85,7 +85,7 @@ namespace Nowpose.Prediction.Candidates
             _search.Update(MinLag);
             var isSoon = motion.NewestTime - _matchedAt < _matchInterval;
             // At a standstill, all parts of the history at rest are equal, so the matches would drift; their lags determine when the next move starts.
-            if (before > 0 && !motion.IsPreviousWrong && (isSoon || motion.Rest.StillSamples > 1)) KeepMatches(before);
+            if (before > 0 && !motion.IsPreviousWrong && (isSoon || motion.StillSamples > 1)) KeepMatches(before);
             else Match();
             return _matches > 0;
         }
@@ -151,7 +151,7 @@ namespace Nowpose.Prediction.Candidates
             var full = 1;
             while (full < _motion.Count && -_motion.Times[full] <= Window) full++;
             var moving = 0;
-            while (moving + 1 < full && _motion.DisplacementAt(moving) > _motion.Rest.StillDistance) moving++;
+            while (moving + 1 < full && _motion.DisplacementAt(moving) > _motion.StillDistance) moving++;
             return moving < MinMoving ? full : Math.Min(full, moving + 2);
         }
 

@@ -75,7 +75,6 @@ namespace Nowpose.Prediction.Mixing
                 _forgettingFactor = Math.Exp(-motion.Timing.Interval / TimeConstant);
                 _changePoints.Add(motion, _forgettingFactor);
                 Learn(motion);
-                if (Uses(PredictionParts.Scatter)) motion.Rest.AddNoise(motion.Displacements, Connected(motion));
                 foreach (var candidate in _candidates) candidate.Add(motion);
             }
             Forecast(motion);
@@ -122,12 +121,9 @@ namespace Nowpose.Prediction.Mixing
             return displacement * displacement / _components;
         }
 
-        // Number of newest samples without a gap or a jump.
-        int Connected(MotionState motion) => Math.Min(motion.Count, motion.SamplesSinceJump);
-
         void Forecast(MotionState motion)
         {
-            var samples = Connected(motion);
+            var samples = motion.Connected;
             if (Uses(PredictionParts.ChangePoints)) samples = Math.Min(samples, _changePoints.SamplesSince);
             var speedFactor = motion.Count < 2 || motion.HasJumped ? 0 : samples == 1 && !_changePoints.SpeedIncreased ? SpeedRatioAfterStop : 1;
             _forecasters.Fill(motion, samples, speedFactor, _points);

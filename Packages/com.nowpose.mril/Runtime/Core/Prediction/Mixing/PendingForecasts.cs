@@ -41,7 +41,7 @@ namespace Nowpose.Prediction.Mixing
             var (expected, horizon) = (Append(), motion.Timing.Horizon);
             var (time, positions) = (new TableTime(horizon), expected.Positions);
             expected.Due = motion.NewestTime + horizon;
-            expected.WasStill = motion.Rest.IsStill;
+            expected.WasStill = motion.IsStill;
             for (var c = 0; c < _components; c++)
             {
                 var (newest, sum) = (motion.Newest[c], 0.0);

@@ -4,12 +4,18 @@ using Nowpose.Prediction.Samples;
 namespace Nowpose.Prediction.State
 {
     /// <summary>
-    /// The newest samples of a motion relative to the newest one, its velocity, and how it rests: the input of all forecasters. A joint's
+    /// The newest samples of a motion relative to the newest one, its velocity, and whether it rests: the input of all forecasters. A joint's
     /// position has one component; the position and the angles of an object are two motions with three components each.
     /// </summary>
     /// <remarks>The components of a sample are adjacent in all arrays.</remarks>
     sealed class MotionState
     {
+        /// <summary>
+        /// Maximum displacement between two samples that repeat, relative to that at the maximum speed: the first samples of a move exceed it. With
+        /// 1e-3, the errors of simulated motions are 0.6 % larger.
+        /// </summary>
+        const double StillRatio = 1e-4;
+
         readonly int _first, _capacity;
 
         // Null if all samples are used.
@@ -31,7 +37,6 @@ namespace Nowpose.Prediction.State
             (Newest, Previous) = (new double[components], new double[components]);
             (Velocity, VelocityBefore) = (new double[components], new double[components]);
             (Times, Displacements) = (new double[capacity], new double[capacity * components]);
-            Rest = new RestDetector(components);
             Reset();
         }
 
@@ -63,6 +68,9 @@ namespace Nowpose.Prediction.State
 
         /// <summary>Number of newest samples without a gap that are stored here.</summary>
         public int Count { get; private set; }
+
+        /// <summary>Number of newest samples without a gap or a jump.</summary>
+        public int Connected => Math.Min(Count, SamplesSinceJump);
 
         /// <summary>Times of the samples relative to the newest one, newest first, in s; not positive.</summary>
         public double[] Times { get; }
@@ -117,11 +125,21 @@ namespace Nowpose.Prediction.State
         /// <inheritdoc cref="ReportedVelocity"/>
         public double ReportedAcceleration { get; private set; }
 
-        /// <summary>Whether and how the motion rests.</summary>
-        public RestDetector Rest { get; }
-
         /// <summary>Displacement in the newest interval at the maximum speed, in the samples' unit.</summary>
         public double MaxDisplacement => MaxSpeed * Interval;
+
+        /// <summary>
+        /// Whether the newest sample repeats the one before it, at a rest of a source without noise: their distance is at most <see cref="StillDistance"/>. The
+        /// next sample may be the start of a move, so gates have separate scores for forecasts from such a rest, and template matching, braking and profiles
+        /// begin a new move after it.
+        /// </summary>
+        public bool IsStill => StillSamples > 0;
+
+        /// <summary>Number of newest samples that repeat the one before them.</summary>
+        public int StillSamples { get; private set; }
+
+        /// <summary>Maximum displacement between two samples that repeat, in the samples' unit.</summary>
+        public double StillDistance { get; private set; }
 
         /// <summary>
         /// Returns the mean ratio of a displacement to the one before it, from all samples: 1 for a constant velocity, about 0 for a position that
@@ -189,10 +207,10 @@ namespace Nowpose.Prediction.State
             Array.Clear(Newest, 0, Components);
             Array.Clear(Velocity, 0, Components);
             Array.Clear(VelocityBefore, 0, Components);
-            MaxSpeed = 0;
+            MaxSpeed = StillDistance = 0;
+            StillSamples = 0;
             (_wrongTime, IsPreviousWrong, _wasNewestForgotten) = (double.NaN, false, false);
             ForgetJumps();
-            Rest.Reset();
         }
 
         void UpdateVelocity()
@@ -208,7 +226,8 @@ namespace Nowpose.Prediction.State
             var (product, speed) = (Vectors.Dot(Velocity, VelocityBefore), Math.Min(Speed, Vectors.Length(VelocityBefore)));
             if (product > 0) MaxSpeed = Math.Max(MaxSpeed, speed);
             if (product < 0 && _check != null && PositionCheck.IsPreviousWrong(this, speed)) OmitPrevious();
-            Rest.AddDisplacement(Vectors.Distance(Newest, Previous), MaxDisplacement);
+            StillDistance = StillRatio * MaxDisplacement;
+            StillSamples = Vectors.Distance(Newest, Previous) <= StillDistance ? Math.Min(StillSamples, int.MaxValue - 1) + 1 : 0;
         }
 
         void Examine(bool hasOtherMotionJumped)

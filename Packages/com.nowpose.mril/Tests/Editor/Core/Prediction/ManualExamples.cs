@@ -21,7 +21,7 @@ namespace Nowpose.Tests.Core.Prediction
             public override bool Solve(MotionState motion)
             {
                 _motion = motion;
-                return !motion.Rest.IsStill;
+                return !motion.IsStill;
             }
 
             public override double At(double ahead, int component) =>

@@ -31,7 +31,7 @@ namespace Nowpose.Tests.Core.Prediction.State
             {
                 buffer.Add(new JointSample(k * Interval, positionOf(k)), displayed: double.NaN);
                 motion.Take(buffer);
-                if (k >= from) max = Math.Max(max, motion.Rest.StillSamples);
+                if (k >= from) max = Math.Max(max, motion.StillSamples);
             }
             return max;
         }

@@ -2,30 +2,29 @@ using System;
 using NUnit.Framework;
 using Nowpose.Frames;
 using Nowpose.Kinematics;
-using Nowpose.Prediction.Samples;
-using Nowpose.Prediction.State;
+using Nowpose.Prediction.Candidates;
 using Nowpose.Simulation;
 using Nowpose.Tests.Core.Frames;
 
-namespace Nowpose.Tests.Core.Prediction.State
+namespace Nowpose.Tests.Core.Prediction.Candidates
 {
-    public class RestDetectorTests
+    public class ScatterDetectorTests
     {
-        readonly PositionWindow _window = new PositionWindow(RestDetector.Window, components: 3);
+        readonly PositionWindow _window = new PositionWindow(ScatterDetector.Window, components: 3);
 
         [SetUp]
         public void ClearWindow() => _window.Clear();
 
-        void Add(RestDetector detector, in Vector3D position)
+        void Add(ScatterDetector detector, in Vector3D position)
         {
             _window.Add(new[] { position.X, position.Y, position.Z });
-            detector.AddNoise(_window.Positions, _window.Count);
+            detector.Add(_window.Positions, _window.Count);
         }
 
         bool Scatters(Func<double, PoseSample> motion, int samples, double interval)
         {
             _window.Clear();
-            var detector = new RestDetector(components: 3);
+            var detector = new ScatterDetector(components: 3);
             for (var k = 0; k < samples; k++) Add(detector, motion(k * interval).Position);
             return detector.Scatters;
         }
@@ -50,7 +49,7 @@ namespace Nowpose.Tests.Core.Prediction.State
         [TestCase(40, false)]
         public void Scatters_StepOutOfTheNoise_IsTrueOnlyIfItIsShort(double position, bool expected)
         {
-            var detector = new RestDetector(components: 3);
+            var detector = new ScatterDetector(components: 3);
             foreach (var x in new[] { 0, 0.3, -0.2, 0.1, -0.3, 0.2, -0.1, 0.3, -0.3, 0.1, -0.2, 0.2 }) Add(detector, new Vector3D(x, 0, 0));
 
             Add(detector, new Vector3D(position, 0, 0));
@@ -62,7 +61,7 @@ namespace Nowpose.Tests.Core.Prediction.State
         public void Noise_AtRest_IsTheMeanDistanceOfConsecutiveSamples()
         {
             var rest = BodyMotions.WithNoise(BodyMotions.Rest, seed: 13);
-            var detector = new RestDetector(components: 3);
+            var detector = new ScatterDetector(components: 3);
             for (var k = 0; k < 100; k++) Add(detector, rest(0.05 * k).Position);
 
             // √2 · 1 mm in each of three components: the mean length of the difference is 2.26 mm.
@@ -73,7 +72,7 @@ namespace Nowpose.Tests.Core.Prediction.State
         public void Mean_NoiseAtRest_IsNearTheTruePosition()
         {
             var rest = BodyMotions.WithNoise(BodyMotions.Rest, seed: 15);
-            var detector = new RestDetector(components: 3);
+            var detector = new ScatterDetector(components: 3);
             var newest = rest(0).Position;
             for (var k = 0; k < 100; k++) Add(detector, newest = rest(0.05 * k).Position);
 
@@ -86,7 +85,7 @@ namespace Nowpose.Tests.Core.Prediction.State
         [Test]
         public void Noise_AfterAJumpToAPlaceWithLessNoise_IsTheNoiseThere()
         {
-            var detector = new RestDetector(components: 3);
+            var detector = new ScatterDetector(components: 3);
             var random = new Random(14);
             void AddNoise(double deviation, int samples)
             {

@@ -1,24 +1,16 @@
 using System;
 using Nowpose.Prediction.Forecasting;
+using Nowpose.Prediction.State;
 
-namespace Nowpose.Prediction.State
+namespace Nowpose.Prediction.Candidates
 {
-    /// <summary>Detects how a motion rests: its samples repeat exactly, or they only scatter about a position.</summary>
+    /// <summary>Detects that samples only scatter about a position, because an encoder or a tracker has noise.</summary>
     /// <remarks>
-    /// <para>Samples repeat (<see cref="IsStill"/>) if the source has no noise. The next sample may be the start of a move, so gates have separate scores for
-    /// forecasts from such a rest, and template matching, braking and profiles begin a new move after it.</para>
-    /// <para>Samples only scatter (<see cref="Scatters"/>) if an encoder or a tracker has noise. Their mean is then forecast, until a
-    /// sample leaves it by a multiple of their <see cref="Noise"/>. For white noise, the mean second difference is √3 times the mean first difference, and the
-    /// samples make no progress; a smooth motion has small second differences, even at a reversal.</para>
+    /// For white noise, the mean second difference is √3 times the mean first difference, and the samples make no progress; a smooth motion has small second
+    /// differences, even at a reversal. The rest ends when a sample leaves the mean by a multiple of the <see cref="Noise"/>.
     /// </remarks>
-    sealed class RestDetector
+    sealed class ScatterDetector
     {
-        /// <summary>
-        /// Maximum displacement between two samples that repeat, relative to that at the maximum speed: the first samples of a move exceed it. With
-        /// 1e-3, the errors of simulated motions are 0.6 % larger.
-        /// </summary>
-        const double StillRatio = 1e-4;
-
         /// <summary>Number of newest samples that are examined.</summary>
         public const int Window = 12;
 
@@ -45,16 +37,7 @@ namespace Nowpose.Prediction.State
         readonly int _components;
         readonly double[] _mean;
 
-        public RestDetector(int components) => (_components, _mean) = (components, new double[components]);
-
-        /// <summary>Whether the newest sample repeats the one before it: their distance is at most <see cref="StillDistance"/>.</summary>
-        public bool IsStill => StillSamples > 0;
-
-        /// <summary>Number of newest samples that repeat the one before them.</summary>
-        public int StillSamples { get; private set; }
-
-        /// <summary>Maximum displacement between two samples that repeat, in the samples' unit.</summary>
-        public double StillDistance { get; private set; }
+        public ScatterDetector(int components) => (_components, _mean) = (components, new double[components]);
 
         /// <summary>Whether the newest samples only scatter; false for samples that do not differ.</summary>
         public bool Scatters { get; private set; }
@@ -65,18 +48,10 @@ namespace Nowpose.Prediction.State
         /// <summary>Mean of the newest samples, relative to the newest one; valid while they only scatter.</summary>
         public ReadOnlySpan<double> Mean => _mean;
 
-        /// <summary>Adds the displacement to a sample that is newer than all previous samples.</summary>
-        /// <param name="maxDisplacement">Displacement in the same interval at the maximum speed.</param>
-        public void AddDisplacement(double displacement, double maxDisplacement)
-        {
-            StillDistance = StillRatio * maxDisplacement;
-            StillSamples = displacement <= StillDistance ? Math.Min(StillSamples, int.MaxValue - 1) + 1 : 0;
-        }
-
-        /// <summary>Examines the noise of the samples after one has been added that is newer than all previous samples.</summary>
+        /// <summary>Examines the samples after one has been added that is newer than all previous samples.</summary>
         /// <param name="samples">Positions, relative to any place, newest first; the components of a position are adjacent.</param>
         /// <param name="count">Number of newest samples without a gap or a jump.</param>
-        public void AddNoise(double[] samples, int count)
+        public void Add(double[] samples, int count)
         {
             count = Math.Min(count, Window);
             if (count == 1) Noise = 0;
@@ -85,12 +60,7 @@ namespace Nowpose.Prediction.State
             if (Scatters) ComputeMean(samples, 0, count);
         }
 
-        public void Reset()
-        {
-            Scatters = false;
-            Noise = StillDistance = 0;
-            StillSamples = 0;
-        }
+        public void Reset() => (Scatters, Noise) = (false, 0);
 
         // Distance of the newest sample from the mean of the others, or from the last of them if that is smaller.
         double DistanceFromScatter(double[] samples, int count)
@@ -136,14 +106,18 @@ namespace Nowpose.Prediction.State
     /// </remarks>
     sealed class MeanForecaster : Forecaster
     {
-        RestDetector _rest;
+        readonly ScatterDetector _scatter;
+
+        public MeanForecaster(int components) => _scatter = new ScatterDetector(components);
 
         public override bool Solve(MotionState motion)
         {
-            _rest = motion.Rest;
-            return _rest.Scatters;
+            _scatter.Add(motion.Displacements, motion.Connected);
+            return _scatter.Scatters;
         }
 
-        public override double At(double ahead, int component) => _rest.Mean[component];
+        public override double At(double ahead, int component) => _scatter.Mean[component];
+
+        public override void Reset() => _scatter.Reset();
     }
 }
