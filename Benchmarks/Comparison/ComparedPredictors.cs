@@ -37,9 +37,7 @@ public static class ComparedPredictors
     /// <param name="timeConstant">Time constant, s.</param>
     public static JointPredictor DoubleExponential(double timeConstant) => By(new DoubleExponential(timeConstant));
 
-    static JointPredictor By(Forecaster forecaster) => new(
-        new PredictionPipeline<JointSample>([forecaster], checks: null, forecaster.UsedSamples, PredictionParts.None, PredictionLimits.Unlimited),
-        PredictionLimits.Unlimited, blend: 0);
+    static JointPredictor By(Forecaster forecaster) => Predictors.Of(forecaster, forecaster.UsedSamples, PredictionLimits.Unlimited);
 
     static ComparedPredictor Ours(string name) => new(name, () => Predictors.Create(name, PredictionLimits.Unlimited));
 }

@@ -24,20 +24,18 @@ namespace Nowpose.Prediction
 
         /// <param name="forecasters">One forecaster per motion, each of this joint or object only. The motions have equally many components.</param>
         /// <param name="checks">Check of the positions of each motion; null to use all samples.</param>
-        /// <param name="kept">Number of samples to keep.</param>
-        /// <param name="parts">
-        /// Parts of the pipeline to use. Without interpolation, the forecaster is also used before the newest sample, as in the paper.
+        /// <param name="interpolates">
+        /// Whether positions before the newest sample are interpolated. Otherwise, they are those of the forecaster, as in the paper.
         /// </param>
-        public PredictionPipeline(Forecaster[] forecasters, PositionCheck[] checks, int kept, PredictionParts parts, PredictionLimits limits)
+        public PredictionPipeline(
+            SampleBuffer<TSample> buffer, Forecaster[] forecasters, PositionCheck[] checks, PredictionLimits limits, bool interpolates)
         {
-            (_forecasters, _limits) = (forecasters, limits);
-            _interpolates = (parts & PredictionParts.Interpolation) != 0;
+            (_buffer, _forecasters, _limits, _interpolates) = (buffer, forecasters, limits, interpolates);
             _arrivals = new ArrivalOrder<TSample>(limits.IsEndless);
-            _buffer = new SampleBuffer<TSample>(kept, parts, limits);
             _components = default(TSample).Components / forecasters.Length;
             _motions = new MotionState[forecasters.Length];
             for (var i = 0; i < _motions.Length; i++)
-                _motions[i] = new MotionState(_components, i * _components, kept, _buffer.Timing, checks?[i]);
+                _motions[i] = new MotionState(_components, i * _components, buffer.Capacity, buffer.Timing, checks?[i]);
         }
 
         /// <summary>Whether no sample has been added.</summary>

@@ -110,6 +110,11 @@ namespace Nowpose.Prediction
         internal static JointPredictor Adaptive(PredictionLimits limits, PredictionParts parts, params Forecaster[] more) =>
             new JointPredictor(Joint(limits, parts, Forecasters(1, parts, more)), limits, blend: 0);
 
+        /// <summary>Creates a joint's predictor with one forecaster, for experiments.</summary>
+        /// <param name="kept">Number of samples to keep.</param>
+        internal static JointPredictor Of(Forecaster forecaster, int kept, PredictionLimits limits, PredictionParts parts = PredictionParts.None) =>
+            new JointPredictor(Pipeline<JointSample>(kept, limits, parts, new[] { forecaster }), limits, blend: 0);
+
         /// <summary>Creates the pipeline of an object: its position and its angles, with three components each.</summary>
         /// <param name="forecasters">
         /// <see cref="ForecastersOfObjects"/>, which this object shares with the other objects of the cell. Null to create forecasters for this object only.
@@ -122,8 +127,10 @@ namespace Nowpose.Prediction
             if (name != Default) return Named<TSample>(name, 2, limits);
             forecasters ??= ForecastersOfObjects(parts);
             Mixture Motion() => MixtureOf(3, limits, parts, forecasters, ObjectMatchInterval, new CandidateGate(ObjectBrakingGate));
-            return Pipeline<TSample>(limits, parts, new Forecaster[] { Motion(), Motion() },
-                new ObjectPositionCheck(3, MinJump, MaxAcceleration), new ObjectPositionCheck(3, MinTurn, MaxAngularAcceleration));
+            return Pipeline<TSample>(Kept, limits, parts, new Forecaster[] { Motion(), Motion() }, new PositionCheck[]
+            {
+                new ObjectPositionCheck(3, MinJump, MaxAcceleration), new ObjectPositionCheck(3, MinTurn, MaxAngularAcceleration)
+            });
         }
 
         /// <summary>Returns the time constant of the blend for a predictor: none for hold, the reference for comparisons.</summary>
@@ -138,12 +145,18 @@ namespace Nowpose.Prediction
         static PredictionPipeline<JointSample> Joint(PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters)
         {
             var mixture = MixtureOf(1, limits, parts, forecasters, JointMatchInterval, new CandidateGate(MoveGate, trustsUntested: true));
-            return Pipeline<JointSample>(limits, parts, new Forecaster[] { mixture }, new JointPositionCheck());
+            return Pipeline<JointSample>(Kept, limits, parts, new Forecaster[] { mixture }, new PositionCheck[] { new JointPositionCheck() });
         }
 
-        static PredictionPipeline<TSample> Pipeline<TSample>(PredictionLimits limits, PredictionParts parts, Forecaster[] mixtures, params PositionCheck[] checks)
-            where TSample : struct, ISample<TSample> =>
-            new PredictionPipeline<TSample>(mixtures, Has(parts, PredictionParts.Jumps) ? checks : null, Kept, parts, limits);
+        static PredictionPipeline<TSample> Pipeline<TSample>(
+            int kept, PredictionLimits limits, PredictionParts parts, Forecaster[] forecasters, PositionCheck[] checks = null)
+            where TSample : struct, ISample<TSample>
+        {
+            var stamps = Has(parts, PredictionParts.StampCorrection) ? new StampCorrection(default(TSample).Components) : null;
+            var buffer = new SampleBuffer<TSample>(kept, limits, stamps, Has(parts, PredictionParts.Thinning));
+            return new PredictionPipeline<TSample>(
+                buffer, forecasters, Has(parts, PredictionParts.Jumps) ? checks : null, limits, Has(parts, PredictionParts.Interpolation));
+        }
 
         static Mixture MixtureOf(int components, PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters,
             double matchInterval, CandidateGate braking)
@@ -157,7 +170,9 @@ namespace Nowpose.Prediction
             if (Has(parts, PredictionParts.Braking)) candidates.Add(new Candidate(new BrakingForecaster(history), braking));
             if (Has(parts, PredictionParts.Profiles) && ProfileForecaster.HasLimits(limits))
                 candidates.Add(new Candidate(new ProfileForecaster(limits), new CandidateGate(MoveGate)));
-            return new Mixture(components, limits, parts, forecasters, candidates.ToArray());
+            return new Mixture(components, limits, forecasters, candidates.ToArray(),
+                Has(parts, PredictionParts.ChangePoints) ? new ChangePointDetector() : null,
+                Has(parts, PredictionParts.DistanceLimit) ? new DistanceLimit() : null, Has(parts, PredictionParts.Persistence));
         }
 
         // The fits with a history longer than their degree reduce noise. Of the others, the cubic does not stop at a reversal: with such a stop, the
@@ -193,8 +208,7 @@ namespace Nowpose.Prediction
                 throw new InputException(PredictionMessages.UnknownPredictor(name, string.Join(", ", Names)));
             for (var i = 0; i < motions; i++)
                 forecasters[i] = isProcess ? new CalibratedProcess(components) : (Forecaster)new PolynomialForecaster(degree, history);
-            return new PredictionPipeline<TSample>(
-                forecasters, checks: null, history + 1, isProcess ? PredictionParts.Preparation : PredictionParts.None, limits);
+            return Pipeline<TSample>(history + 1, limits, isProcess ? PredictionParts.Preparation : PredictionParts.None, forecasters);
         }
 
         static bool Has(PredictionParts parts, PredictionParts part) => (parts & part) != 0;

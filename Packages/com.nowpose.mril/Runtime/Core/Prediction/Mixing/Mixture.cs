@@ -39,13 +39,15 @@ namespace Nowpose.Prediction.Mixing
 
         readonly int _components, _points;
         readonly PredictionLimits _limits;
-        readonly PredictionParts _parts;
         readonly ForecasterSet _forecasters;
         readonly Candidate[] _candidates;
-        readonly ChangePointDetector _changePoints;
         readonly MixtureWeights _weights;
         readonly PendingForecasts _pending;
-        readonly DistanceLimit _distance = new DistanceLimit();
+
+        // Null if this part is not used.
+        readonly ChangePointDetector _changePoints;
+        readonly DistanceLimit _distance;
+        readonly bool _measuresPersistence;
 
         // The table of the displayed forecast.
         readonly double[] _table;
@@ -55,11 +57,15 @@ namespace Nowpose.Prediction.Mixing
         /// <param name="limits">Horizon cap, and for a joint the limits of its drive.</param>
         /// <param name="forecasters">Forecasters of the mixture, which other motions may use in turn.</param>
         /// <param name="candidates">Forecasters that may replace the mixture.</param>
-        public Mixture(int components, PredictionLimits limits, PredictionParts parts, ForecasterSet forecasters, Candidate[] candidates)
+        /// <param name="changePoints">Detector for this motion; null to use all samples after change points too.</param>
+        /// <param name="distance">Limit for this motion; null for no limit.</param>
+        /// <param name="measuresPersistence">Whether the prior is multiplied by the persistence of the motion.</param>
+        public Mixture(int components, PredictionLimits limits, ForecasterSet forecasters, Candidate[] candidates,
+            ChangePointDetector changePoints, DistanceLimit distance, bool measuresPersistence)
         {
-            (_components, _limits, _parts, _forecasters, _candidates) = (components, limits, parts, forecasters, candidates);
+            (_components, _limits, _forecasters, _candidates) = (components, limits, forecasters, candidates);
+            (_changePoints, _distance, _measuresPersistence) = (changePoints, distance, measuresPersistence);
             _points = ForecastTable.PointsUpTo(limits.HorizonCap);
-            _changePoints = new ChangePointDetector();
             _weights = new MixtureWeights(forecasters.Count);
             _pending = new PendingForecasts(components, forecasters, candidates, _weights);
             _table = new double[ForecastTable.Points * components];
@@ -73,7 +79,7 @@ namespace Nowpose.Prediction.Mixing
             if (motion.IsNewest)
             {
                 _forgettingFactor = Math.Exp(-motion.Timing.Interval / TimeConstant);
-                _changePoints.Add(motion, _forgettingFactor);
+                _changePoints?.Add(motion, _forgettingFactor);
                 Learn(motion);
                 foreach (var candidate in _candidates) candidate.Add(motion);
             }
@@ -86,14 +92,12 @@ namespace Nowpose.Prediction.Mixing
         public override void Reset()
         {
             foreach (var candidate in _candidates) candidate.Reset();
-            _changePoints.Reset();
+            _changePoints?.Reset();
             _weights.Reset();
             _pending.Clear();
-            _distance.Clear();
+            _distance?.Clear();
             Array.Clear(_table, 0, _table.Length);
         }
-
-        bool Uses(PredictionParts part) => (_parts & part) != 0;
 
         void Learn(MotionState motion)
         {
@@ -110,7 +114,7 @@ namespace Nowpose.Prediction.Mixing
         // Extrapolation would multiply the noise of a tracker.
         double[] Prior(MotionState motion)
         {
-            var share = Uses(PredictionParts.Persistence) ? Math.Min(Math.Max(motion.MeasurePersistence(), 0), 1) : 1;
+            var share = _measuresPersistence ? Math.Min(Math.Max(motion.MeasurePersistence(), 0), 1) : 1;
             return _forecasters.Prior(!double.IsNaN(motion.ReportedVelocity + motion.ReportedAcceleration), share);
         }
 
@@ -123,9 +127,9 @@ namespace Nowpose.Prediction.Mixing
 
         void Forecast(MotionState motion)
         {
-            var samples = motion.Connected;
-            if (Uses(PredictionParts.ChangePoints)) samples = Math.Min(samples, _changePoints.SamplesSince);
-            var speedFactor = motion.Count < 2 || motion.HasJumped ? 0 : samples == 1 && !_changePoints.SpeedIncreased ? SpeedRatioAfterStop : 1;
+            var samples = Math.Min(motion.Connected, _changePoints?.SamplesSince ?? int.MaxValue);
+            var isAfterStop = _changePoints != null && samples == 1 && !_changePoints.SpeedIncreased;
+            var speedFactor = motion.Connected < 2 ? 0 : isAfterStop ? SpeedRatioAfterStop : 1;
             _forecasters.Fill(motion, samples, speedFactor, _points);
             if (motion.IsNewest) Expect(motion);
             FillTable(motion, speedFactor);
@@ -134,7 +138,7 @@ namespace Nowpose.Prediction.Mixing
         void Expect(MotionState motion)
         {
             var distance = _pending.Add(motion);
-            if (Uses(PredictionParts.DistanceLimit)) _distance.Add(distance, _forgettingFactor, motion.IsUnconfirmed);
+            _distance?.Add(distance, _forgettingFactor, motion.IsUnconfirmed);
         }
 
         void FillTable(MotionState motion, double speedFactor)
@@ -159,7 +163,7 @@ namespace Nowpose.Prediction.Mixing
         void FillMixture(MotionState motion, double speedFactor)
         {
             // The weights of the last seconds would displace a constant velocity if they include hold.
-            if (Uses(PredictionParts.ChangePoints) && _changePoints.IsSteady) _forecasters.AddTo(_table, ForecasterSet.Line, 1, _points);
+            if (_changePoints != null && _changePoints.IsSteady) _forecasters.AddTo(_table, ForecasterSet.Line, 1, _points);
             else AddForecasts();
             if (_components == 1 && motion.Count > 1) ForecastTable.LimitToDrive(_table, _points, speedFactor * motion.Velocity[0], motion.Interval, _limits);
         }
@@ -167,10 +171,10 @@ namespace Nowpose.Prediction.Mixing
         // Adds the weighted sum, within the limit of the distance.
         void AddForecasts()
         {
-            var weights = _weights.Values;
+            var (weights, factor) = (_weights.Values, _distance?.Factor ?? 1);
             for (var i = ForecasterSet.Line; i < weights.Length; i++)
-                if (weights[i] != 0) _forecasters.AddTo(_table, i, weights[i] * _distance.Factor, _points);
-            if (_distance.Factor < 1) _forecasters.AddTo(_table, ForecasterSet.Line, 1 - _distance.Factor, _points);
+                if (weights[i] != 0) _forecasters.AddTo(_table, i, weights[i] * factor, _points);
+            if (factor < 1) _forecasters.AddTo(_table, ForecasterSet.Line, 1 - factor, _points);
         }
     }
 

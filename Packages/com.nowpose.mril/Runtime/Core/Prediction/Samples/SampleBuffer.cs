@@ -16,22 +16,22 @@ namespace Nowpose.Prediction.Samples
         const double MinInterval = 0.0055;
 
         readonly TSample[] _samples;
-
-        // Null if stamps are not corrected.
         readonly StampCorrection _stamps;
         readonly bool _thins;
         double _newestOrder;
 
         /// <param name="capacity">Number of samples to keep.</param>
-        /// <param name="parts">Whether stamps of a periodic source are corrected, and whether samples less than 5.5 ms apart are left out.</param>
-        public SampleBuffer(int capacity, PredictionParts parts, PredictionLimits limits)
+        /// <param name="stamps">Correction of the stamps of a periodic source; null to use the stamps as they are.</param>
+        /// <param name="thins">Whether samples less than 5.5 ms apart are left out.</param>
+        public SampleBuffer(int capacity, PredictionLimits limits, StampCorrection stamps = null, bool thins = false)
         {
-            _samples = new TSample[capacity];
+            (_samples, _stamps, _thins) = (new TSample[capacity], stamps, thins);
             Timing = new SampleTiming(limits);
-            _stamps = (parts & PredictionParts.StampCorrection) != 0 ? new StampCorrection(default(TSample).Components) : null;
-            _thins = (parts & PredictionParts.Thinning) != 0;
             Clear();
         }
+
+        /// <summary>Maximum number of samples.</summary>
+        public int Capacity => _samples.Length;
 
         /// <summary>Number of samples.</summary>
         public int Count { get; private set; }

@@ -21,16 +21,13 @@ namespace Nowpose.Tests.Core.Prediction
         /// Creates a predictor with one forecaster and the given parts of the pipeline. It holds the newest sample if the forecaster cannot forecast.
         /// </summary>
         /// <param name="limits">Limits of the joint; null if it has none.</param>
-        public static JointPredictor Of(Forecaster forecaster, PredictionLimits limits = null, PredictionParts parts = PredictionParts.None)
-        {
-            limits ??= PredictionLimits.Unlimited;
-            return new JointPredictor(new PredictionPipeline<JointSample>(new[] { forecaster }, checks: null, 24, parts, limits), limits, 0);
-        }
+        public static JointPredictor Of(Forecaster forecaster, PredictionLimits limits = null, PredictionParts parts = PredictionParts.None) =>
+            Predictors.Of(forecaster, 24, limits ?? PredictionLimits.Unlimited, parts);
 
         /// <summary>Returns the state of a motion after its samples, which are in the order of their times.</summary>
         public static MotionState Motion(double[] times, double[] positions)
         {
-            var buffer = new SampleBuffer<JointSample>(times.Length, PredictionParts.None, PredictionLimits.Unlimited);
+            var buffer = new SampleBuffer<JointSample>(times.Length, PredictionLimits.Unlimited);
             var motion = new MotionState(1, 0, times.Length, buffer.Timing, new JointPositionCheck());
             for (var i = 0; i < times.Length; i++)
             {

@@ -153,7 +153,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
 
         // Returns a mixture of hold and a straight line.
         static Mixture Mixture(params Candidate[] candidates) => new Mixture(
-            1, PredictionLimits.Unlimited, PredictionParts.Joint, new ForecasterSet(1), candidates);
+            1, PredictionLimits.Unlimited, new ForecasterSet(1), candidates, new ChangePointDetector(), new DistanceLimit(), measuresPersistence: false);
 
         void Feed(int from, int to)
         {

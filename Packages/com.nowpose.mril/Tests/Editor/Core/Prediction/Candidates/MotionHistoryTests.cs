@@ -17,7 +17,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         [Test]
         public void At_MoreGridPointsThanTheCapacity_IsThePositionAtEachStoredTime()
         {
-            var buffer = new SampleBuffer<JointSample>(24, PredictionParts.None, PredictionLimits.Unlimited);
+            var buffer = new SampleBuffer<JointSample>(24, PredictionLimits.Unlimited);
             var (motion, history) = (new MotionState(1, 0, 24, buffer.Timing), new MotionHistory(1));
 
             for (var sample = 0; sample < MotionHistory.Capacity + 100; sample++)

@@ -109,7 +109,7 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         sealed class Fed
         {
             readonly Func<double, double>[] _components;
-            readonly SampleBuffer<BodySample> _buffer = new SampleBuffer<BodySample>(24, PredictionParts.None, PredictionLimits.Unlimited);
+            readonly SampleBuffer<BodySample> _buffer = new SampleBuffer<BodySample>(24, PredictionLimits.Unlimited);
             readonly TemplateForecaster _forecaster;
             readonly MotionState _motion;
             int _samples;

@@ -13,7 +13,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
 
         // Uses the samples as they are.
         static SampleBuffer<JointSample> Buffer(int capacity) =>
-            new SampleBuffer<JointSample>(capacity, PredictionParts.None, PredictionLimits.Unlimited);
+            new SampleBuffer<JointSample>(capacity, PredictionLimits.Unlimited);
 
         [TestCase(1)]
         [TestCase(5)]
@@ -57,7 +57,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         [TestCase(0.002, 34)]
         public void Add_FastSource_ThinsTheHistory(double interval, int expected)
         {
-            var buffer = new SampleBuffer<JointSample>(200, PredictionParts.Thinning, PredictionLimits.Unlimited);
+            var buffer = new SampleBuffer<JointSample>(200, PredictionLimits.Unlimited, thins: true);
             var changes = 0;
             for (var k = 0; k < 100; k++)
             {
@@ -73,7 +73,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         [Test]
         public void Add_OvertakenSamplesOfAFastSource_ThinsThemToo()
         {
-            var buffer = new SampleBuffer<JointSample>(24, PredictionParts.Thinning, PredictionLimits.Unlimited);
+            var buffer = new SampleBuffer<JointSample>(24, PredictionLimits.Unlimited, thins: true);
             for (var k = 0; k < 100; k += 4)
                 foreach (var i in new[] { 3, 0, 1, 2 }) buffer.Add(new JointSample((k + i) * 0.001, k + i), displayed: double.NaN);
 
@@ -87,7 +87,7 @@ namespace Nowpose.Tests.Core.Prediction.Samples
         public void Add_ScatteredStamps_KeepsTheNewestUnchanged()
         {
             var random = new Random(21);
-            var buffer = new SampleBuffer<JointSample>(24, PredictionParts.Preparation, PredictionLimits.Unlimited);
+            var buffer = new SampleBuffer<JointSample>(24, PredictionLimits.Unlimited, new StampCorrection(1), thins: true);
             for (var k = 0; k < 300; k++)
             {
                 var stamp = k * 0.05 + 0.01 * (2 * random.NextDouble() - 1);

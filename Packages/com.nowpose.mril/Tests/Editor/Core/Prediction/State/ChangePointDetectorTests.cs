@@ -13,7 +13,7 @@ namespace Nowpose.Tests.Core.Prediction.State
         // Feeds a first sample, and one sample per speed.
         static ChangePointDetector After(params double[] speeds)
         {
-            var buffer = new SampleBuffer<JointSample>(8, PredictionParts.None, PredictionLimits.Unlimited);
+            var buffer = new SampleBuffer<JointSample>(8, PredictionLimits.Unlimited);
             var (detector, motion, position) = (new ChangePointDetector(), new MotionState(1, 0, 8, buffer.Timing, new JointPositionCheck()), 0.0);
             for (var k = 0; k <= speeds.Length; k++)
             {
@@ -74,7 +74,7 @@ namespace Nowpose.Tests.Core.Prediction.State
         [Test]
         public void Add_AbruptStopAfterAWrongSampleThatFollowsAGap_LeavesOutEarlierSamples()
         {
-            var buffer = new SampleBuffer<JointSample>(8, PredictionParts.None, PredictionLimits.Unlimited);
+            var buffer = new SampleBuffer<JointSample>(8, PredictionLimits.Unlimited);
             var (detector, motion) = (new ChangePointDetector(), new MotionState(1, 0, 8, buffer.Timing, new JointPositionCheck()));
             for (var k = 0; k < 12; k++)
             {
@@ -117,7 +117,7 @@ namespace Nowpose.Tests.Core.Prediction.State
         [Test]
         public void Add_JumpOfAnObjectAtConstantVelocity_IsTheOnlyChangePoint()
         {
-            var buffer = new SampleBuffer<JointSample>(8, PredictionParts.None, PredictionLimits.Unlimited);
+            var buffer = new SampleBuffer<JointSample>(8, PredictionLimits.Unlimited);
             var (detector, motion) = (new ChangePointDetector(), new MotionState(1, 0, 8, buffer.Timing, new ObjectPositionCheck(1, 0.03, 40)));
             for (var k = 0; k < 8; k++)
             {

@@ -13,7 +13,7 @@ namespace Nowpose.Tests.Core.Prediction.State
         // Feeds a smooth motion at 1 per sample, and further positions.
         static MotionState After(params double[] positions)
         {
-            var buffer = new SampleBuffer<JointSample>(8, PredictionParts.None, PredictionLimits.Unlimited);
+            var buffer = new SampleBuffer<JointSample>(8, PredictionLimits.Unlimited);
             var (motion, k) = (new MotionState(1, 0, 8, buffer.Timing, new JointPositionCheck()), 0);
             foreach (var position in Smooth.Concat(positions))
             {

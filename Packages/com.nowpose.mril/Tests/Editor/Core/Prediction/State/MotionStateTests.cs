@@ -12,7 +12,7 @@ namespace Nowpose.Tests.Core.Prediction.State
 
         static MotionState Fed(params double[] positions)
         {
-            var buffer = new SampleBuffer<JointSample>(8, PredictionParts.None, PredictionLimits.Unlimited);
+            var buffer = new SampleBuffer<JointSample>(8, PredictionLimits.Unlimited);
             var motion = new MotionState(1, 0, 8, buffer.Timing);
             for (var k = 0; k < positions.Length; k++)
             {
@@ -25,7 +25,7 @@ namespace Nowpose.Tests.Core.Prediction.State
         // Returns the maximum number of samples at a standstill while a motion is fed.
         static int MaxStillSamples(Func<int, double> positionOf, int from, int to)
         {
-            var buffer = new SampleBuffer<JointSample>(8, PredictionParts.None, PredictionLimits.Unlimited);
+            var buffer = new SampleBuffer<JointSample>(8, PredictionLimits.Unlimited);
             var (motion, max) = (new MotionState(1, 0, 8, buffer.Timing, new JointPositionCheck()), 0);
             for (var k = 0; k < to; k++)
             {
