@@ -20,17 +20,16 @@ namespace Nowpose.Prediction
         readonly PredictionLimits _limits;
         readonly SectionBlend _blend;
         readonly PredictionPipeline<JointSample> _pipeline;
-        readonly PlanFollower _plan = new PlanFollower();
-
-        // A plan that arrived before the first sample. It starts with this sample, because the position of the joint is unknown before.
-        JointPath _waitingPath;
-        double _waitingStart;
+        readonly PlanFollower _plan;
 
         // Position of the newest sample, and the whole turns that unwrapping added to it, in rad. The sections have unwrapped positions.
         double _newest, _turns;
 
-        internal JointPredictor(PredictionPipeline<JointSample> pipeline, PredictionLimits limits, double blend) =>
-            (_pipeline, _limits, _blend) = (pipeline, limits, new SectionBlend(components: 1, blend, limits.HorizonCap));
+        internal JointPredictor(PredictionPipeline<JointSample> pipeline, PredictionLimits limits, double blend)
+        {
+            (_pipeline, _limits) = (pipeline, limits);
+            (_blend, _plan) = (new SectionBlend(components: 1, blend, limits.HorizonCap), new PlanFollower(pipeline, limits));
+        }
 
         /// <summary>Position of the newest sample, which a display without compensation shows; 0 before the first sample.</summary>
         public double Hold => _newest;
@@ -100,10 +99,8 @@ namespace Nowpose.Prediction
         /// <param name="displayed">See <see cref="Add"/>.</param>
         internal void Follow(JointPath path, double start, double displayed = double.NaN)
         {
-            (_waitingPath, _waitingStart) = (_pipeline.IsEmpty ? path : null, start);
             var shown = ShownAt(displayed);
-            if (path == null) _plan.Drop();
-            else if (!_pipeline.IsEmpty) StartPlan(path, start, displayed);
+            _plan.Follow(path, start, displayed);
             StartBlend(displayed, shown);
         }
 
@@ -113,7 +110,7 @@ namespace Nowpose.Prediction
         internal bool TryPlan(double time, out double position)
         {
             position = 0;
-            if (_pipeline.IsEmpty || !_plan.IsFollowedAt(time, NewestTime)) return false;
+            if (!_plan.IsFollowedAt(time)) return false;
             position = _limits.Clamp(_plan.At(time)) - _turns;
             return double.IsFinite(position);
         }
@@ -128,7 +125,6 @@ namespace Nowpose.Prediction
         void Clear()
         {
             _newest = _turns = 0;
-            _waitingPath = null;
             _plan.Reset();
             _blend.Reset();
         }
@@ -140,35 +136,16 @@ namespace Nowpose.Prediction
             var (shown, before) = (ShownAt(displayed), NewestTime);
             // Assumes the shorter way round between two samples more than half a turn apart.
             var turns = _limits.IsEndless && !_pipeline.IsEmpty ? WholeTurns(_newest + _turns - sample.Position) : 0;
-            var hasChanged = _pipeline.Add(turns == 0 ? sample : Unwrapped(sample, turns), displayed);
+            var unwrapped = turns == 0 ? sample : new JointSample(sample.Time, sample.Position + turns, sample.Order, sample.Velocity, sample.Acceleration);
+            var hasChanged = _pipeline.Add(unwrapped, displayed);
             if (isNewest)
             {
                 (_newest, _turns) = (sample.Position, turns);
-                if (_waitingPath != null) StartPlan(_waitingPath, _waitingStart, displayed);
-                _waitingPath = null;
                 // A plan has the time of the control system, so the samples that follow it need no correction or thinning.
-                _plan.Add(sample.Time, sample.Position + turns);
+                _plan.Add(unwrapped, displayed);
             }
             if (hasChanged) _blend.StoreReplaced(displayed, before);
             if (hasChanged || _plan.HasPlan) StartBlend(displayed, shown);
-        }
-
-        static JointSample Unwrapped(in JointSample sample, double turns) =>
-            new JointSample(sample.Time, sample.Position + turns, sample.Order, sample.Velocity, sample.Acceleration);
-
-        void StartPlan(JointPath path, double start, double displayed)
-        {
-            // A plan with a later first set-point starts from the position that the joint reaches, after its delay, at the plan's start.
-            var reached = start + _plan.Delay;
-            var here = _plan.IsFollowedAt(reached, NewestTime) ? _plan.At(reached) : SectionAt(reached).Position;
-            // A plan contains a continuous joint's angle within one turn; the samples are unwrapped.
-            var turns = _limits.IsEndless ? WholeTurns(Hold + _turns - path.FirstPosition) : 0;
-            // A single sample from after the start shows where the joint is on its way to the first set-point; near this set-point, it does not matter.
-            var (first, elapsed) = (path.FirstPosition + turns + _plan.Offset, NewestTime - reached);
-            if (Motion.Count == 1 && elapsed > 0 && elapsed < path.First)
-                here = first + (here - first) * path.First / Math.Max(path.First - elapsed, path.First / 2);
-            var from = path.First <= 0 ? path.FirstPosition : here - _plan.Offset - turns;
-            _plan.Replace(path, start, from, turns, displayed, NewestTime);
         }
 
         // Returns the displayed position if the blend needs it.
@@ -187,17 +164,9 @@ namespace Nowpose.Prediction
         {
             var prediction = SectionAt(time);
             if (prediction.Kind == PredictionKind.None) return prediction;
-            if (_plan.HasPlan) prediction = WithPlan(prediction, time);
+            if (_plan.HasPlan) prediction = _plan.Blend(prediction, time, _blend.TimeConstant(_pipeline.Timing.MeanInterval));
             var position = prediction.Position + _blend.RemainderAt(time, 0);
             return new JointPrediction(_limits.Clamp(double.IsFinite(position) ? position : prediction.Position), prediction.Kind);
-        }
-
-        JointPrediction WithPlan(in JointPrediction section, double time)
-        {
-            var timeConstant = _blend.TimeConstant(_pipeline.Timing.MeanInterval);
-            var weight = _plan.WeightAt(time, NewestTime, NewestTime + _limits.HorizonCap, timeConstant, out var isPlanned);
-            var position = weight > 0 ? section.Position + weight * (_plan.At(time) - section.Position) : section.Position;
-            return double.IsFinite(position) ? new JointPrediction(position, isPlanned ? PredictionKind.Planned : section.Kind) : section;
         }
 
         JointPrediction SectionAt(double time)

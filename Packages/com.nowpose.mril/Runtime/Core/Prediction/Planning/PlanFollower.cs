@@ -21,85 +21,65 @@ namespace Nowpose.Prediction.Planning
         /// </summary>
         const double Settling = 0.1;
 
+        readonly PredictionPipeline<JointSample> _pipeline;
+        readonly PredictionLimits _limits;
         readonly PlanFilter _filter = new PlanFilter();
         ActivePlan _current, _next;
         int _agreements = AgreementsToReturn;
 
-        /// <summary>Estimated delay of the joint behind its plan, in s.</summary>
-        public double Delay => _filter.Delay;
+        // A plan that arrived before the first sample. It starts with this sample, because the position of the joint is unknown before.
+        JointPath _waitingPath;
+        double _waitingStart;
 
-        /// <summary>Estimated offset of the joint from its plan, in rad or m.</summary>
-        public double Offset => _filter.Offset;
+        /// <param name="pipeline">The samples of the joint and their sections, unwrapped if the joint is continuous.</param>
+        public PlanFollower(PredictionPipeline<JointSample> pipeline, PredictionLimits limits) => (_pipeline, _limits) = (pipeline, limits);
 
         public bool HasPlan => !_current.IsNone;
 
         /// <summary>Replaces the plan at the start of the new plan, or at once if this start is not in the future.</summary>
+        /// <param name="path">Null if the plan is cancelled.</param>
         /// <param name="start">Stamp of the plan, in s.</param>
-        /// <param name="from">See <see cref="ActivePlan"/>.</param>
-        /// <param name="turns">See <see cref="ActivePlan"/>.</param>
         /// <param name="displayed">Last display time, in s; NaN if nothing is displayed.</param>
-        /// <param name="newest">Time of the newest sample, in s.</param>
-        public void Replace(JointPath path, double start, double from, double turns, double displayed, double newest)
+        public void Follow(JointPath path, double start, double displayed)
         {
-            var now = displayed > newest ? displayed : newest;
-            var before = PlanAt(start + _filter.Delay);
-            var plan = new ActivePlan(path, start, from, turns, IsFollowedAt(start + _filter.Delay, newest) ? before.Since : start);
-            if (!_next.IsNone && _next.Start <= now - _filter.Delay) _current = _next;
-            _next = plan;
-            if (_current.IsNone || plan.Start <= now - _filter.Delay) (_current, _next) = (plan, default);
-            _filter.Start(plan.Range);
+            (_waitingPath, _waitingStart) = (_pipeline.IsEmpty ? path : null, start);
+            if (path == null) _current = _next = default;
+            else if (!_pipeline.IsEmpty) Start(path, start, displayed);
         }
-
-        /// <summary>Drops the current and the next plan.</summary>
-        public void Drop() => _current = _next = default;
 
         public void Reset()
         {
-            Drop();
+            _current = _next = default;
+            _waitingPath = null;
             _filter.Reset();
             _agreements = AgreementsToReturn;
         }
 
-        /// <summary>Compares a sample with the plan.</summary>
-        public void Add(double time, double position)
+        /// <summary>Compares the newest sample with the plan, after the pipeline has added it.</summary>
+        /// <param name="displayed">See <see cref="Follow"/>.</param>
+        public void Add(in JointSample sample, double displayed)
         {
-            var plan = PlanAt(time);
-            if (plan.IsNone) return;
-            var at = time - _filter.Delay;
-            if (at < plan.Start || at > plan.End + Settling) return;
-            var difference = position - plan.At(at, out var velocity) - _filter.Offset;
-            var verdict = _filter.Add(time, difference, velocity, plan.Range);
+            if (_waitingPath != null) Start(_waitingPath, _waitingStart, displayed);
+            _waitingPath = null;
+            var (plan, at) = (PlanAt(sample.Time), sample.Time - _filter.Delay);
+            if (plan.IsNone || at < plan.Start || at > plan.End + Settling) return;
+            var difference = sample.Position - plan.At(at, out var velocity) - _filter.Offset;
+            var verdict = _filter.Add(sample.Time, difference, velocity, plan.Range);
             if (verdict == PlanVerdict.NotFollowed) _agreements = 0;
             else if (verdict == PlanVerdict.Followed && _agreements < AgreementsToReturn) _agreements++;
         }
 
-        /// <summary>Returns whether the plan determines the joint's position at a given time.</summary>
-        /// <param name="newest">
-        /// Time of the newest sample. A plan that ends at rest is used after its end until a sample from more than 0.1 s after the end arrives.
-        /// </param>
+        /// <summary>
+        /// Returns whether the plan determines the joint's position at a given time. A plan that ends at rest is used after its end until a sample from more than
+        /// 0.1 s after the end arrives.
+        /// </summary>
         /// <returns>False without a plan at that time, or if the joint does not follow the plan.</returns>
-        public bool IsFollowedAt(double time, double newest)
+        public bool IsFollowedAt(double time)
         {
             var (plan, at) = (PlanAt(time), time - _filter.Delay);
             if (plan.IsNone || _agreements < AgreementsToReturn || at < plan.Start) return false;
             // The end plus the delay, minus the delay, differs from the end by rounding.
-            return at - plan.End < JointSample.SameSeconds || (plan.EndsAtRest && newest - _filter.Delay < plan.End + Settling);
-        }
-
-        /// <summary>
-        /// Returns the weight of the plan in the displayed position: it rises from 0 to 1 after the plan's start and falls to 0 after its end.
-        /// </summary>
-        /// <param name="newest">Time of the newest sample.</param>
-        /// <param name="lastTime">Time after which the samples are too old for any plan.</param>
-        /// <param name="timeConstant">Time constant of the rise and fall, in s; 0 for an immediate change.</param>
-        /// <param name="isPlanned">Whether the plan determines the displayed position.</param>
-        public double WeightAt(double time, double newest, double lastTime, double timeConstant, out bool isPlanned)
-        {
-            isPlanned = time <= lastTime && IsFollowedAt(time, newest);
-            if (isPlanned) return timeConstant > 0 ? 1 - Math.Exp(-(time - PlanAt(time).Since - _filter.Delay) / timeConstant) : 1;
-            if (_current.IsNone || timeConstant == 0) return 0;
-            var end = Math.Min(lastTime, PlanAt(time).End + _filter.Delay);
-            return time > end && IsFollowedAt(end, newest) ? Math.Exp(-(time - end) / timeConstant) : 0;
+            return at - plan.End < JointSample.SameSeconds || (plan.EndsAtRest && _pipeline.NewestStamp - _filter.Delay < plan.End + Settling);
         }
 
         /// <summary>
@@ -107,6 +87,51 @@ namespace Nowpose.Prediction.Planning
         /// its end. Call it only while there is a plan.
         /// </summary>
         public double At(double time) => PlanAt(time).At(time - _filter.Delay, out _) + _filter.Offset;
+
+        /// <summary>Returns the displayed position at a given time: the section, blended with the plan.</summary>
+        /// <param name="section">Position in the section.</param>
+        /// <param name="timeConstant">Time constant of the blend, in s; 0 for an immediate change.</param>
+        public JointPrediction Blend(in JointPrediction section, double time, double timeConstant)
+        {
+            var weight = WeightAt(time, timeConstant, out var isPlanned);
+            var position = weight > 0 ? section.Position + weight * (At(time) - section.Position) : section.Position;
+            return double.IsFinite(position) ? new JointPrediction(position, isPlanned ? PredictionKind.Planned : section.Kind) : section;
+        }
+
+        // Weight of the plan: it rises from 0 to 1 after the plan's start and falls to 0 after its end. Beyond the horizon cap, the samples are too old for
+        // any plan.
+        double WeightAt(double time, double timeConstant, out bool isPlanned)
+        {
+            var lastTime = _pipeline.NewestStamp + _limits.HorizonCap;
+            isPlanned = time <= lastTime && IsFollowedAt(time);
+            if (isPlanned) return timeConstant > 0 ? 1 - Math.Exp(-(time - PlanAt(time).Since - _filter.Delay) / timeConstant) : 1;
+            if (timeConstant == 0) return 0;
+            var end = Math.Min(lastTime, PlanAt(time).End + _filter.Delay);
+            return time > end && IsFollowedAt(end) ? Math.Exp(-(time - end) / timeConstant) : 0;
+        }
+
+        void Start(JointPath path, double start, double displayed)
+        {
+            // A plan with a later first set-point starts from the position that the joint reaches, after its delay, at the plan's start.
+            var reached = start + _filter.Delay;
+            var isFollowed = IsFollowedAt(reached);
+            var here = isFollowed ? At(reached) : _pipeline.At(_pipeline.PlaceOf(reached), 0, 0);
+            // A plan contains a continuous joint's angle within one turn; the samples are unwrapped.
+            var turns = _limits.IsEndless ? JointPredictor.WholeTurns(_pipeline.Newest.Position - path.FirstPosition) : 0;
+            // A single sample from after the start shows where the joint is on its way to the first set-point; near this set-point, it does not matter.
+            var (first, newest) = (path.FirstPosition + turns + _filter.Offset, _pipeline.NewestStamp);
+            var elapsed = newest - reached;
+            if (_pipeline.MotionOf(0).Count == 1 && elapsed > 0 && elapsed < path.First)
+                here = first + (here - first) * path.First / Math.Max(path.First - elapsed, path.First / 2);
+            var from = path.First <= 0 ? path.FirstPosition : here - _filter.Offset - turns;
+            var plan = new ActivePlan(path, start, from, turns, isFollowed ? PlanAt(reached).Since : start);
+
+            var now = (displayed > newest ? displayed : newest) - _filter.Delay;
+            if (!_next.IsNone && _next.Start <= now) _current = _next;
+            _next = plan;
+            if (_current.IsNone || plan.Start <= now) (_current, _next) = (plan, default);
+            _filter.Start(plan.Range);
+        }
 
         ActivePlan PlanAt(double time) => !_next.IsNone && time - _filter.Delay >= _next.Start ? _next : _current;
     }
