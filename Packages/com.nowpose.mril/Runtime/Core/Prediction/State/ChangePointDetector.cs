@@ -39,17 +39,17 @@ namespace Nowpose.Prediction.State
 
         // Acceleration and speed of the newest samples, which raise the maxima when a later sample shows that they were right.
         double _acceleration, _speed;
-        double _maxAcceleration, _maxSpeed, _intervalBefore;
+        double _maxAcceleration, _maxSpeed;
 
-        // Number of samples, and the numbers before the newest sample, which are valid again if this sample was wrong.
-        int _samples, _formerSamples, _formerSince;
+        // SamplesSince before the newest sample, which is valid again if this sample was wrong.
+        int _formerSince;
         bool _wasSteady;
 
         /// <summary>
-        /// Number of samples since the newest change point, including the sample at which it was detected; the number of all samples after an
-        /// increase of the speed has been confirmed.
+        /// Number of samples since the newest change point, including the sample at which it was detected; int.MaxValue if there is none since the last gap or
+        /// jump, or if it was an increase of the speed that has been confirmed.
         /// </summary>
-        public int SamplesSince { get; private set; }
+        public int SamplesSince { get; private set; } = int.MaxValue;
 
         /// <summary>Whether the newest change point increased the speed.</summary>
         public bool SpeedIncreased { get; private set; }
@@ -61,61 +61,52 @@ namespace Nowpose.Prediction.State
         /// <param name="forgettingFactor">Factor of the maxima since the previous sample, 0 to 1.</param>
         public void Add(MotionState motion, double forgettingFactor)
         {
-            if (motion.HasJumped)
-            {
-                AddJump();
-                return;
-            }
-            if (motion.IsPreviousWrong) (_samples, SamplesSince, _acceleration, _speed) = (_formerSamples, _formerSince, 0, 0);
-            Store();
-            _samples = Math.Min(_samples, int.MaxValue - 1) + 1;
-            SamplesSince = Math.Min(SamplesSince + 1, _samples);
-            if (_samples < 2) return;
-            if (!motion.IsUnconfirmed) RaiseMaxima();
-            (_maxAcceleration, _maxSpeed) = (_maxAcceleration * forgettingFactor, _maxSpeed * forgettingFactor);
-            double interval = motion.Interval, newest = motion.Speed, before = Vectors.Length(motion.VelocityBefore);
-            var change = Vectors.Distance(motion.Velocity, motion.VelocityBefore);
-            var product = Vectors.Dot(motion.Velocity, motion.VelocityBefore);
-            // An abrupt change within an interval shows in the velocity of two intervals.
-            var isSteady = IsSteady || _wasSteady;
-            (_wasSteady, IsSteady) = (IsSteady, change <= SteadyRatio * motion.MaxSpeed);
-            if (_samples > 2)
-            {
-                var acceleration = change / (0.5 * (interval + _intervalBefore));
-                if (!isSteady && IsConfirmed(newest, before, product)) SamplesSince = _samples;
-                else if (IsChangePoint(change, acceleration, isSteady))
-                {
-                    SamplesSince = 1;
-                    // A slow motion in the opposite direction is noise before a start, not a reversal.
-                    SpeedIncreased = newest > before && (product >= 0 || before < MinChangeRatio * newest);
-                }
-                _acceleration = Math.Max(_acceleration, acceleration);
-            }
-            _speed = Math.Max(_speed, newest);
-            _intervalBefore = interval;
+            if (motion.IsPreviousWrong) SamplesSince = _formerSince;
+            _formerSince = SamplesSince;
+            if (motion.IsPreviousWrong || motion.HasJumped) (_acceleration, _speed) = (0, 0);
+            UpdateMaxima(motion.IsUnconfirmed, forgettingFactor);
+            // The displacement over a gap or a jump is no velocity.
+            if (motion.Connected < 2) (SamplesSince, IsSteady, _wasSteady) = (int.MaxValue, false, false);
+            else Compare(motion);
         }
 
         public void Reset()
         {
-            _acceleration = _speed = _maxAcceleration = _maxSpeed = _intervalBefore = 0;
-            SamplesSince = _samples = _formerSamples = _formerSince = 0;
+            _acceleration = _speed = _maxAcceleration = _maxSpeed = 0;
+            SamplesSince = _formerSince = int.MaxValue;
             SpeedIncreased = IsSteady = _wasSteady = false;
         }
 
-        // The velocity of the next sample is compared with nothing.
-        void AddJump()
+        void UpdateMaxima(bool isUnconfirmed, double forgettingFactor)
         {
-            Store();
-            (SamplesSince, SpeedIncreased, _samples) = (1, false, 1);
-            (_acceleration, _speed) = (0, 0);
+            if (!isUnconfirmed)
+            {
+                (_maxAcceleration, _maxSpeed) = (Math.Max(_maxAcceleration, _acceleration), Math.Max(_maxSpeed, _speed));
+                (_acceleration, _speed) = (0, 0);
+            }
+            (_maxAcceleration, _maxSpeed) = (_maxAcceleration * forgettingFactor, _maxSpeed * forgettingFactor);
         }
 
-        void Store() => (_formerSamples, _formerSince) = (_samples, SamplesSince);
-
-        void RaiseMaxima()
+        void Compare(MotionState motion)
         {
-            (_maxAcceleration, _maxSpeed) = (Math.Max(_maxAcceleration, _acceleration), Math.Max(_maxSpeed, _speed));
-            (_acceleration, _speed) = (0, 0);
+            SamplesSince = Math.Min(SamplesSince, int.MaxValue - 1) + 1;
+            double newest = motion.Speed, before = Vectors.Length(motion.VelocityBefore);
+            var change = Vectors.Distance(motion.Velocity, motion.VelocityBefore);
+            // An abrupt change within an interval shows in the velocity of two intervals.
+            var isSteady = IsSteady || _wasSteady;
+            (_wasSteady, IsSteady) = (IsSteady, change <= SteadyRatio * motion.MaxSpeed);
+            _speed = Math.Max(_speed, newest);
+            if (motion.Connected < 3) return;
+            var acceleration = change / (0.5 * (motion.Interval + motion.Times[1] - motion.Times[2]));
+            var product = Vectors.Dot(motion.Velocity, motion.VelocityBefore);
+            if (!isSteady && IsConfirmed(newest, before, product)) SamplesSince = int.MaxValue;
+            else if (IsChangePoint(change, acceleration, isSteady))
+            {
+                SamplesSince = 1;
+                // A slow motion in the opposite direction is noise before a start, not a reversal.
+                SpeedIncreased = newest > before && (product >= 0 || before < MinChangeRatio * newest);
+            }
+            _acceleration = Math.Max(_acceleration, acceleration);
         }
 
         // A joint that starts does not become slower. Without the confirmation, the errors on recordings are 1.0 % larger.

@@ -25,7 +25,10 @@ namespace Nowpose.Prediction.State
         double _wrongTime = double.NaN;
 
         bool _wasNewestForgotten;
-        int _sinceBefore;
+
+        // Number of samples since the newest jump, including the sample after it, and the number before the newest sample; int.MaxValue if there is no jump
+        // since the last gap.
+        int _sinceJump, _sinceJumpBefore;
 
         /// <param name="first">Index of the first component in the samples.</param>
         /// <param name="capacity">Maximum number of samples that a forecaster uses.</param>
@@ -70,7 +73,7 @@ namespace Nowpose.Prediction.State
         public int Count { get; private set; }
 
         /// <summary>Number of newest samples without a gap or a jump.</summary>
-        public int Connected => Math.Min(Count, SamplesSinceJump);
+        public int Connected => Math.Min(Count, _sinceJump);
 
         /// <summary>Times of the samples relative to the newest one, newest first, in s; not positive.</summary>
         public double[] Times { get; }
@@ -115,9 +118,6 @@ namespace Nowpose.Prediction.State
 
         /// <inheritdoc cref="PositionVerdict.Jumped"/>
         public bool HasJumped => Verdict == PositionVerdict.Jumped;
-
-        /// <summary>Number of samples since the newest jump, including the sample after it; int.MaxValue if there is none since the last gap.</summary>
-        public int SamplesSinceJump { get; private set; }
 
         /// <summary>Velocity and acceleration that the source reported with the newest sample; NaN if it did not.</summary>
         public double ReportedVelocity { get; private set; }
@@ -239,14 +239,14 @@ namespace Nowpose.Prediction.State
                 return;
             }
             // The displacement to a wrong sample does not count as a jump.
-            if (!IsPreviousWrong) _sinceBefore = SamplesSinceJump;
+            if (!IsPreviousWrong) _sinceJumpBefore = _sinceJump;
             Verdict = _check.Examine(this, hasOtherMotionJumped);
-            SamplesSinceJump = HasJumped ? 1 : Math.Min(_sinceBefore, int.MaxValue - 1) + 1;
+            _sinceJump = HasJumped ? 1 : Math.Min(_sinceJumpBefore, int.MaxValue - 1) + 1;
         }
 
         void ForgetJumps()
         {
-            (Verdict, SamplesSinceJump, _sinceBefore) = (PositionVerdict.Right, int.MaxValue, int.MaxValue);
+            (Verdict, _sinceJump, _sinceJumpBefore) = (PositionVerdict.Right, int.MaxValue, int.MaxValue);
             _check?.Reset();
         }
 

@@ -48,7 +48,7 @@ namespace Nowpose.Tests.Core.Prediction.State
 
             Assert.That(After(positions).Verdict, Is.EqualTo(PositionVerdict.Unconfirmed));
             Assert.That(After(positions.Append(5.0 + wrong).ToArray()).Verdict, Is.EqualTo(PositionVerdict.Jumped));
-            Assert.That(After(positions.Append(5.0 + wrong).Append(6.0 + wrong).ToArray()).SamplesSinceJump, Is.EqualTo(2));
+            Assert.That(After(positions.Append(5.0 + wrong).Append(6.0 + wrong).ToArray()).Connected, Is.EqualTo(2));
         }
 
         [Test]
