@@ -35,7 +35,8 @@ namespace Nowpose.Frames
 
         const int Components = 3;
 
-        readonly PositionWindow _positions = new PositionWindow(ScatterDetector.Window, Components), _rotations = new PositionWindow(ScatterDetector.Window, Components);
+        readonly PositionWindow _positions = new PositionWindow(ScatterDetector.Window, Components);
+        readonly PositionWindow _rotations = new PositionWindow(ScatterDetector.Window, Components);
         readonly ScatterDetector _position = new ScatterDetector(Components), _rotation = new ScatterDetector(Components);
         RigidTransform _rest, _first;
         double _metres, _radians;

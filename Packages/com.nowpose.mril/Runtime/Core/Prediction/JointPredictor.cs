@@ -136,7 +136,8 @@ namespace Nowpose.Prediction
             var (shown, before) = (ShownAt(displayed), NewestTime);
             // Assumes the shorter way round between two samples more than half a turn apart.
             var turns = _limits.IsEndless && !_pipeline.IsEmpty ? WholeTurns(_newest + _turns - sample.Position) : 0;
-            var unwrapped = turns == 0 ? sample : new JointSample(sample.Time, sample.Position + turns, sample.Order, sample.Velocity, sample.Acceleration);
+            var unwrapped = turns == 0 ? sample
+                : new JointSample(sample.Time, sample.Position + turns, sample.Order, sample.Velocity, sample.Acceleration);
             var hasChanged = _pipeline.Add(unwrapped, displayed);
             if (isNewest)
             {

@@ -6,8 +6,8 @@ namespace Nowpose.Prediction.Candidates
 {
     /// <summary>Detects that samples only scatter about a position, because an encoder or a tracker has noise.</summary>
     /// <remarks>
-    /// For white noise, the mean second difference is √3 times the mean first difference, and the samples make no progress; a smooth motion has small second
-    /// differences, even at a reversal. The rest ends when a sample leaves the mean by a multiple of the <see cref="Noise"/>.
+    /// For white noise, the mean second difference is √3 times the mean first difference, and the samples make no progress; a smooth motion has small
+    /// second differences, even at a reversal. The rest ends when a sample leaves the mean by a multiple of the <see cref="Noise"/>.
     /// </remarks>
     sealed class ScatterDetector
     {
@@ -18,14 +18,14 @@ namespace Nowpose.Prediction.Candidates
         public const int MinSamples = 4;
 
         /// <summary>
-        /// Limits for samples that scatter: maximum ratio of progress to path length, and minimum ratio of second to first differences. With 0.5 and 1.15,
-        /// the errors of a linear axis are up to 20 % larger.
+        /// Limits for samples that scatter: maximum ratio of progress to path length, and minimum ratio of second to first differences. With 0.5 and
+        /// 1.15, the errors of a linear axis are up to 20 % larger.
         /// </summary>
         const double MaxProgress = 0.35, MinRoughness = 1.3;
 
         /// <summary>
-        /// Minimum distance of a sample that leaves the scattering samples from their mean, and from the last of them, relative to <see cref="Noise"/>. With
-        /// half or twice this value, the mean errors change by at most 0.2 %.
+        /// Minimum distance of a sample that leaves the scattering samples from their mean, and from the last of them, relative to
+        /// <see cref="Noise"/>. With half or twice this value, the mean errors change by at most 0.2 %.
         /// </summary>
         const double MinLeaveRatio = 4;
 
@@ -102,7 +102,8 @@ namespace Nowpose.Prediction.Candidates
 
     /// <summary>Forecasts the mean of the newest samples while they only scatter.</summary>
     /// <remarks>
-    /// The other forecasters would amplify the noise. A slow motion that is hidden in the noise leaves the mean behind, for which the gate rejects it.
+    /// The other forecasters would amplify the noise. A slow motion that is hidden in the noise leaves the mean behind, for which the gate rejects
+    /// it.
     /// </remarks>
     sealed class MeanForecaster : Forecaster
     {

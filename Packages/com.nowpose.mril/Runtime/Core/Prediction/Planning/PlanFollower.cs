@@ -70,8 +70,8 @@ namespace Nowpose.Prediction.Planning
         }
 
         /// <summary>
-        /// Returns whether the plan determines the joint's position at a given time. A plan that ends at rest is used after its end until a sample from more than
-        /// 0.1 s after the end arrives.
+        /// Returns whether the plan determines the joint's position at a given time. A plan that ends at rest is used after its end until a sample
+        /// from more than 0.1 s after the end arrives.
         /// </summary>
         /// <returns>False without a plan at that time, or if the joint does not follow the plan.</returns>
         public bool IsFollowedAt(double time)
@@ -98,8 +98,8 @@ namespace Nowpose.Prediction.Planning
             return double.IsFinite(position) ? new JointPrediction(position, isPlanned ? PredictionKind.Planned : section.Kind) : section;
         }
 
-        // Weight of the plan: it rises from 0 to 1 after the plan's start and falls to 0 after its end. Beyond the horizon cap, the samples are too old for
-        // any plan.
+        // Weight of the plan: it rises from 0 to 1 after the plan's start and falls to 0 after its end. Beyond the horizon cap, the samples are too
+        // old for any plan.
         double WeightAt(double time, double timeConstant, out bool isPlanned)
         {
             var lastTime = _pipeline.NewestStamp + _limits.HorizonCap;
@@ -118,7 +118,8 @@ namespace Nowpose.Prediction.Planning
             var here = isFollowed ? At(reached) : _pipeline.At(_pipeline.PlaceOf(reached), 0, 0);
             // A plan contains a continuous joint's angle within one turn; the samples are unwrapped.
             var turns = _limits.IsEndless ? JointPredictor.WholeTurns(_pipeline.Newest.Position - path.FirstPosition) : 0;
-            // A single sample from after the start shows where the joint is on its way to the first set-point; near this set-point, it does not matter.
+            // A single sample from after the start shows where the joint is on its way to the first set-point; near this set-point, it does not
+            // matter.
             var (first, newest) = (path.FirstPosition + turns + _filter.Offset, _pipeline.NewestStamp);
             var elapsed = newest - reached;
             if (_pipeline.MotionOf(0).Count == 1 && elapsed > 0 && elapsed < path.First)

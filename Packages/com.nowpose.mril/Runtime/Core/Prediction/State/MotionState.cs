@@ -26,8 +26,8 @@ namespace Nowpose.Prediction.State
 
         bool _wasNewestForgotten;
 
-        // Number of samples since the newest jump, including the sample after it, and the number before the newest sample; int.MaxValue if there is no jump
-        // since the last gap.
+        // Number of samples since the newest jump, including the sample after it, and the number before the newest sample; int.MaxValue if there is
+        // no jump since the last gap.
         int _sinceJump, _sinceJumpBefore;
 
         /// <param name="first">Index of the first component in the samples.</param>
@@ -98,15 +98,15 @@ namespace Nowpose.Prediction.State
 
         /// <summary>
         /// Maximum speed that was reached in both of two consecutive intervals in the same direction, per second; 0 before there are two such
-        /// intervals. One interval is not enough, because an object that is moved elsewhere, or an angle that wraps from π to −π, can have any speed in
-        /// a single interval.
+        /// intervals. One interval is not enough, because an object that is moved elsewhere, or an angle that wraps from π to −π, can have any speed
+        /// in a single interval.
         /// </summary>
         public double MaxSpeed { get; private set; }
 
         /// <summary>
-        /// Whether the newest sample shows that the one before it was wrong: its position (<see cref="PositionCheck.IsPreviousWrong"/>), or its stamp, which
-        /// was in the future. It is left out from then on, so that all velocities are those of the other samples: it would reappear in a forecast whenever the
-        /// motion repeats. Counts of samples return to their values before it, and the forecasts from it are dropped.
+        /// Whether the newest sample shows that the one before it was wrong: its position (<see cref="PositionCheck.IsPreviousWrong"/>), or its
+        /// stamp, which was in the future. It is left out from then on, so that all velocities are those of the other samples: it would reappear in a
+        /// forecast whenever the motion repeats. Counts of samples return to their values before it, and the forecasts from it are dropped.
         /// </summary>
         public bool IsPreviousWrong { get; private set; }
 
@@ -129,9 +129,9 @@ namespace Nowpose.Prediction.State
         public double MaxDisplacement => MaxSpeed * Interval;
 
         /// <summary>
-        /// Whether the newest sample repeats the one before it, at a rest of a source without noise: their distance is at most <see cref="StillDistance"/>. The
-        /// next sample may be the start of a move, so gates have separate scores for forecasts from such a rest, and template matching, braking and profiles
-        /// begin a new move after it.
+        /// Whether the newest sample repeats the one before it, at a rest of a source without noise: their distance is at most
+        /// <see cref="StillDistance"/>. The next sample may be the start of a move, so gates have separate scores for forecasts from such a rest, and
+        /// template matching, braking and profiles begin a new move after it.
         /// </summary>
         public bool IsStill => StillSamples > 0;
 

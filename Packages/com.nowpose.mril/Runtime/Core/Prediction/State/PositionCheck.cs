@@ -14,22 +14,25 @@ namespace Nowpose.Prediction.State
         Unconfirmed,
 
         /// <summary>
-        /// The displacement is not a velocity: the way of an object to another place, or of a joint back from wrong samples. The position is displayed without
-        /// extrapolation until the next sample, nothing is learned from the forecasts before, and later forecasts do not use earlier samples.
+        /// The displacement is not a velocity: the way of an object to another place, or of a joint back from wrong samples. The position is
+        /// displayed without extrapolation until the next sample, nothing is learned from the forecasts before, and later forecasts do not use
+        /// earlier samples.
         /// </summary>
         Jumped
     }
 
-    /// <summary>Decides which positions of a motion are wrong. <see cref="MotionState"/> has the answers, on which all other classes depend.</summary>
+    /// <summary>
+    /// Decides which positions of a motion are wrong. <see cref="MotionState"/> has the answers, on which all other classes depend.
+    /// </summary>
     /// <remarks>
-    /// A single wrong sample is known from the next one (<see cref="IsPreviousWrong"/>) and then left out: see <see cref="MotionState.IsPreviousWrong"/>. For
-    /// everything else, there is a <see cref="PositionVerdict"/>.
+    /// A single wrong sample is known from the next one (<see cref="IsPreviousWrong"/>) and then left out: see
+    /// <see cref="MotionState.IsPreviousWrong"/>. For everything else, there is a <see cref="PositionVerdict"/>.
     /// </remarks>
     abstract class PositionCheck
     {
         /// <summary>
-        /// Minimum speed to a wrong sample and back, relative to the maximum speed. When a joint reverses at its maximum speed, the ratio is 1. With 1.3, the
-        /// errors are the same; with 2, those on recordings are 0.2 % smaller, but wrong samples of fast motions are not found.
+        /// Minimum speed to a wrong sample and back, relative to the maximum speed. When a joint reverses at its maximum speed, the ratio is 1. With
+        /// 1.3, the errors are the same; with 2, those on recordings are 0.2 % smaller, but wrong samples of fast motions are not found.
         /// </summary>
         const double MinRatioThereAndBack = 1.5;
 
@@ -40,7 +43,9 @@ namespace Nowpose.Prediction.State
 
         /// <summary>Examines the newest sample, which is not the first one. A single wrong sample before it is left out.</summary>
         /// <param name="motion">Its verdict is still that of the previous sample.</param>
-        /// <param name="hasOtherMotionJumped">Whether another motion of the same object has jumped at this sample, so that the object is elsewhere.</param>
+        /// <param name="hasOtherMotionJumped">
+        /// Whether another motion of the same object has jumped at this sample, so that the object is elsewhere.
+        /// </param>
         public abstract PositionVerdict Examine(MotionState motion, bool hasOtherMotionJumped);
 
         /// <summary>Discards what has been learned from the samples.</summary>
@@ -48,14 +53,14 @@ namespace Nowpose.Prediction.State
     }
 
     /// <summary>
-    /// Finds 2 to 20 wrong samples of a joint in a row, from which it then jumps back. The unit and size of a joint are unknown, so only samples that were
-    /// further away than any motion so far, and from which the joint returns soon, count as wrong.
+    /// Finds 2 to 20 wrong samples of a joint in a row, from which it then jumps back. The unit and size of a joint are unknown, so only samples that
+    /// were further away than any motion so far, and from which the joint returns soon, count as wrong.
     /// </summary>
     sealed class JointPositionCheck : PositionCheck
     {
         /// <summary>
-        /// Minimum speed towards a wrong sample, relative to the maximum speed in two consecutive intervals. With 1.5, the errors on recordings are 0.2 %
-        /// larger.
+        /// Minimum speed towards a wrong sample, relative to the maximum speed in two consecutive intervals. With 1.5, the errors on recordings are
+        /// 0.2 % larger.
         /// </summary>
         const double MinSpeedRatio = 3;
 
@@ -66,8 +71,8 @@ namespace Nowpose.Prediction.State
         const double MaxReturnRatio = 0.25;
 
         /// <summary>
-        /// Maximum number of wrong samples in a row: a driver may report zero for a moment. A joint that stays longer was moved, and the weights learn
-        /// again. With 10 or 40, the mean errors are the same within 0.05 %.
+        /// Maximum number of wrong samples in a row: a driver may report zero for a moment. A joint that stays longer was moved, and the weights
+        /// learn again. With 10 or 40, the mean errors are the same within 0.05 %.
         /// </summary>
         const int MaxWrong = 20;
 
@@ -93,23 +98,25 @@ namespace Nowpose.Prediction.State
     /// Detects that an object was elsewhere at once: a workpiece that reappears at the start of its conveyor, or an outlier of a tracker.
     /// </summary>
     /// <remarks>
-    /// A jump is a change of velocity that needs a larger acceleration than objects have, that is clearly larger than the recent changes, and larger than the
-    /// maximum speed of the motion. The second condition distinguishes jumps from a person who shakes an object, the third one from inaccurate samples of a
-    /// vehicle. Directly after a jump, the velocity is compared with that before it: an object that moves on as before is at its new place, and the way back
-    /// at the end of an outlier is another jump.
+    /// A jump is a change of velocity that needs a larger acceleration than objects have, that is clearly larger than the recent changes, and larger
+    /// than the maximum speed of the motion. The second condition distinguishes jumps from a person who shakes an object, the third one from
+    /// inaccurate samples of a vehicle. Directly after a jump, the velocity is compared with that before it: an object that moves on as before is at
+    /// its new place, and the way back at the end of an outlier is another jump.
     /// </remarks>
     sealed class ObjectPositionCheck : PositionCheck
     {
         /// <summary>
-        /// Minimum change of velocity, relative to the mean of the recent changes. With 2.5 or 4, the errors on jumps and on shaken objects are the same
-        /// within 4 %.
+        /// Minimum change of velocity, relative to the mean of the recent changes. With 2.5 or 4, the errors on jumps and on shaken objects are the
+        /// same within 4 %.
         /// </summary>
         const double MinChangeRatio = 3;
 
         /// <summary>Maximum change that enters the mean, relative to the limit of a jump: a far outlier would hide the next ones.</summary>
         const double MaxLearnedRatio = 2;
 
-        /// <summary>Maximum difference from a jump, relative to its length, of a displacement that continues it: the jump was then a motion.</summary>
+        /// <summary>
+        /// Maximum difference from a jump, relative to its length, of a displacement that continues it: the jump was then a motion.
+        /// </summary>
         const double MaxContinuedRatio = 0.5;
 
         readonly double _minJump, _maxAcceleration;
@@ -139,8 +146,8 @@ namespace Nowpose.Prediction.State
             var limit = Math.Max(_minJump / interval, _maxAcceleration * interval);
             var change = Vectors.Distance(_newVelocity, _velocity);
             var continues = motion.HasJumped && Vectors.Distance(_displacement, _jump) < MaxContinuedRatio * Vectors.Length(_jump);
-            // If another part of the pose has jumped, a change is a jump even if an object could make it by moving. An object that moves on has a larger error
-            // if it is held than if a smaller change of its velocity is wrong.
+            // If another part of the pose has jumped, a change is a jump even if an object could make it by moving. An object that moves on has a
+            // larger error if it is held than if a smaller change of its velocity is wrong.
             var isJump = _isKnown && !continues && change > motion.MaxSpeed && change > MinChangeRatio * _meanChange
                 && (hasOtherMotionJumped || (Vectors.Length(_newVelocity) > limit && change > limit));
             if (_isKnown) _meanChange += (Math.Min(change, MaxLearnedRatio * limit) - _meanChange) * SampleTiming.MeanWeight;

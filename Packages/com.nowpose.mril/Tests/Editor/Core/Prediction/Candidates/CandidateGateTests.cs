@@ -152,8 +152,8 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         static double Truth(double t) => Math.Sin(3 * t);
 
         // Returns a mixture of hold and a straight line.
-        static Mixture Mixture(params Candidate[] candidates) => new Mixture(
-            1, PredictionLimits.Unlimited, new ForecasterSet(1), candidates, new ChangePointDetector(), new DistanceLimit(), measuresPersistence: false);
+        static Mixture Mixture(params Candidate[] candidates) => new Mixture(1, PredictionLimits.Unlimited, new ForecasterSet(1), candidates,
+            new ChangePointDetector(), new DistanceLimit(), measuresPersistence: false);
 
         void Feed(int from, int to)
         {
