@@ -30,20 +30,20 @@ namespace Nowpose.Editor
         };
 
         [MenuItem(Folder + "Robot Cell", false, Priority)]
-        static void RobotCell(MenuCommand command) => PlaceOnce(PackageAsset.RobotCell, command);
+        static void RobotCell(MenuCommand command) => PlaceCell(PackageAsset.RobotCell, command);
 
         [MenuItem(Folder + "Robot Cell UR5", false, Priority)]
-        static void RobotCellUr5(MenuCommand command) => PlaceOnce(PackageAsset.RobotCellUr5, command);
+        static void RobotCellUr5(MenuCommand command) => PlaceCell(PackageAsset.RobotCellUr5, command);
 
         [MenuItem(Folder + SetupTexts.AnyRobotCell, false, Priority)]
-        static void RobotCellAny(MenuCommand command) => PlaceOnce(PackageAsset.RobotCellAny, command);
+        static void RobotCellAny(MenuCommand command) => PlaceCell(PackageAsset.RobotCellAny, command);
 
         [MenuItem(Folder + "Virtual Gripper", false, Priority)]
-        static void VirtualGripper(MenuCommand command) => PlaceOnce(PackageAsset.VirtualGripper, command);
+        static void VirtualGripper(MenuCommand command) => PlacePart(PackageAsset.VirtualGripper, command);
 
         // Below the Base Anchor of a cell, the robot is in the session of this cell.
         [MenuItem(Folder + "Another youBot", false, Priority)]
-        static void AnotherYoubot(MenuCommand command) => PlaceOnce(PackageAsset.Robot, command);
+        static void AnotherYoubot(MenuCommand command) => PlacePart(PackageAsset.Robot, command);
 
         [MenuItem(Folder + "Tracked Object", false, Priority)]
         static void TrackedObject(MenuCommand command) => CreateOnce<TrackedObject>("Tracked Object", command, AddAppearance);
@@ -77,10 +77,15 @@ namespace Nowpose.Editor
 
         static Material Hologram => PackageAsset.Hologram.Load<Material>();
 
-        // Unity calls a menu item of the Hierarchy once for each selected object. Only the call for the active object adds the prefab.
-        static void PlaceOnce(PackageAsset prefab, MenuCommand command)
+        // A cell has no parent: below another cell, its parts could use the session of that cell, and below a camera, it would follow the head.
+        static void PlaceCell(PackageAsset prefab, MenuCommand command)
         {
-            if (IsOnce(command)) Place(prefab, command);
+            if (IsOnce(command)) Place(prefab, null);
+        }
+
+        static void PlacePart(PackageAsset prefab, MenuCommand command)
+        {
+            if (IsOnce(command)) Place(prefab, SelectedInScene());
         }
 
         /// <param name="setUp">Completes the new component; null if its default values are complete.</param>
@@ -89,7 +94,7 @@ namespace Nowpose.Editor
             where T : MonoBehaviour
         {
             if (!IsOnce(command)) return;
-            var selected = command.context as GameObject;
+            var selected = SelectedInScene();
             var made = new GameObject(name).AddComponent<T>();
             Put(made.gameObject, parentFor == null ? selected : parentFor(selected), () =>
             {
@@ -130,11 +135,21 @@ namespace Nowpose.Editor
             return rig != null ? rig.gameObject : selected;
         }
 
+        // Unity calls a menu item of the Hierarchy once for each selected object. Only the call for the active object creates something.
         static bool IsOnce(MenuCommand command) => command.context == null || command.context == Selection.activeObject;
 
+        // The context of a menu command is null for the menu bar, which therefore needs the selection. In the Hierarchy, both are the same object.
+        // An asset cannot be the parent of a new object.
+        static GameObject SelectedInScene()
+        {
+            var selected = Selection.activeObject as GameObject;
+            return selected != null && !EditorUtility.IsPersistent(selected) ? selected : null;
+        }
+
         /// <summary>Adds an instance of a prefab to the scene.</summary>
+        /// <param name="parent">Parent of the instance; null to add it without a parent.</param>
         /// <returns>The new instance; null if the prefab is missing.</returns>
-        internal static GameObject Place(PackageAsset prefab, MenuCommand command)
+        internal static GameObject Place(PackageAsset prefab, GameObject parent)
         {
             var asset = prefab.Load<GameObject>();
             if (asset == null)
@@ -142,7 +157,7 @@ namespace Nowpose.Editor
                 ConsoleLog.Fail(null, SetupTexts.PrefabMissing(prefab.Name, prefab.Guid));
                 return null;
             }
-            return Put((GameObject)PrefabUtility.InstantiatePrefab(asset), command.context as GameObject);
+            return Put((GameObject)PrefabUtility.InstantiatePrefab(asset), parent);
         }
 
         /// <summary>Puts a new object at its parent, and selects it. The user can undo it.</summary>

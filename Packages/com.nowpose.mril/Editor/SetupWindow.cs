@@ -79,14 +79,7 @@ namespace Nowpose.Editor
             if (chosen != shown) EditorApplication.delayCall += () => Choose(chosen);
             else if (clicked >= 0) EditorApplication.delayCall += () => Fix(clicked);
             else if (again) EditorApplication.delayCall += Refresh;
-            else if (part >= 0) EditorApplication.delayCall += () => CellMenu.Entries[part].Create(new MenuCommand(SelectedInScene()));
-        }
-
-        // Returns null if an asset is selected, because an asset cannot be the parent of a new object.
-        static GameObject SelectedInScene()
-        {
-            var selected = Selection.activeObject as GameObject;
-            return selected != null && !EditorUtility.IsPersistent(selected) ? selected : null;
+            else if (part >= 0) EditorApplication.delayCall += () => CellMenu.Entries[part].Create(new MenuCommand(null));
         }
 
         /// <summary>Draws the buttons for the parts of a cell.</summary>

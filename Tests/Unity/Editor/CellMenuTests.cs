@@ -119,14 +119,66 @@ public sealed class CellMenuTests : EditorFixture
             "each [MenuItem] of CellMenu needs an entry in CellMenu.Entries");
     }
 
+    [TestCase("Virtual Gripper")]
+    [TestCase("Another youBot")]
+    [TestCase("Signal")]
+    [TestCase("Grip by Reach")]
+    public void MenuBar_PartWithAnObjectSelected_CreatesItBelowTheObject(string item)
+    {
+        Put(PackageAsset.VirtualGripper);
+        Put(PackageAsset.Robot);
+        var selected = Keep(new GameObject("Base Anchor"));
+
+        var made = MadeBelow(selected, item);
+
+        Assert.That(made.transform.parent, Is.SameAs(selected.transform));
+    }
+
     [Test]
-    public void Place_ContextObjectGiven_PlacesThePrefabBelowIt()
+    public void MenuBar_PartWithAnAssetSelected_CreatesItWithoutAParent()
+    {
+        var asset = PackageAsset.VirtualGripper.Load<GameObject>();
+        Assert.That(EditorUtility.IsPersistent(asset));
+
+        var made = MadeBelow(asset, "Signal");
+
+        Assert.That(Keep(made), Is.Not.SameAs(asset));
+        Assert.That(made.transform.parent, Is.Null);
+    }
+
+    [Test]
+    public void Hierarchy_SeveralObjectsSelected_CreatesOnePartBelowTheActiveOne()
+    {
+        var selected = new[] { "a", "active", "b" }.Select(name => Keep(new GameObject(name))).ToArray();
+        Selection.activeObject = selected[1];
+
+        foreach (var each in selected) Click("Signal", each);
+
+        Assert.That(selected.Select(each => each.transform.childCount), Is.EqualTo(new[] { 0, 1, 0 }));
+    }
+
+    [Test]
+    public void Cell_ObjectSelected_HasNoParent(
+        [Values("Robot Cell", "Robot Cell UR5", "Robot Cell (Any Robot)")] string item, [Values] bool isFromTheHierarchy)
+    {
+        foreach (var prefab in new[] { PackageAsset.RobotCell, PackageAsset.RobotCellUr5, PackageAsset.RobotCellAny }) Put(prefab);
+        var camera = Keep(new GameObject("Main Camera"));
+        Selection.activeObject = camera;
+
+        Click(item, isFromTheHierarchy ? camera : null);
+
+        Assert.That(Selection.activeObject, Is.Not.SameAs(camera));
+        Assert.That(Keep((GameObject)Selection.activeObject).transform.parent, Is.Null);
+    }
+
+    [Test]
+    public void Place_ParentGiven_PlacesThePrefabBelowIt()
     {
         Put(PackageAsset.VirtualGripper);
         var parent = Keep(new GameObject("parent"));
         parent.transform.position = new Vector3(1, 2, 3);
 
-        var instance = CellMenu.Place(PackageAsset.VirtualGripper, new MenuCommand(parent));
+        var instance = CellMenu.Place(PackageAsset.VirtualGripper, parent);
 
         Assert.That(instance.transform.parent, Is.SameAs(parent.transform));
         Assert.That(instance.transform.localPosition, Is.EqualTo(Vector3.zero));
@@ -143,7 +195,7 @@ public sealed class CellMenuTests : EditorFixture
         Application.logMessageReceived += listen;
         try
         {
-            Assert.That(CellMenu.Place(PackageAsset.RobotCell, new MenuCommand(null)), Is.Null);
+            Assert.That(CellMenu.Place(PackageAsset.RobotCell, null), Is.Null);
         }
         finally
         {
@@ -166,9 +218,14 @@ public sealed class CellMenuTests : EditorFixture
 
     static GameObject MadeBelow(GameObject selected, string item)
     {
-        CellMenu.Entries.Single(entry => entry.Name == item).Create(new MenuCommand(Selection.activeObject = selected));
+        Selection.activeObject = selected;
+        EditorApplication.ExecuteMenuItem("GameObject/Nowpose/" + item);
         return (GameObject)Selection.activeObject;
     }
+
+    // Executes a menu item for an object in the Hierarchy, or without a context, as the menu bar does.
+    static void Click(string item, GameObject context) =>
+        CellMenu.Entries.Single(entry => entry.Name == item).Create(new MenuCommand(context));
 
     GameObject Put(PackageAsset prefab)
     {

@@ -113,7 +113,7 @@ public sealed class CellRobotTests : EditorFixture
 
     MrilSession Cell(PackageAsset prefab, string robot)
     {
-        var session = Keep(CellMenu.Place(prefab, new MenuCommand(null))).GetComponent<MrilSession>();
+        var session = Keep(CellMenu.Place(prefab, null)).GetComponent<MrilSession>();
         if (robot != null) session.With("_robot", AssetDatabase.LoadAllAssetsAtPath(robot).OfType<RobotDescriptionAsset>().Single());
         Undo.Clear();
         return session;

@@ -17,7 +17,7 @@ namespace Nowpose.Editor.Messages
         public const string AndroidHeadset = "Android headset (Quest, Magic Leap 2)";
         public const string WindowTitle = "Nowpose Setup";
         public const string CheckAgain = "Check again";
-        public const string AddToScene = "Add to the scene, below the selected object";
+        public const string AddToScene = "Add a cell to the scene, or a part below the selected object";
 
         public static string Adding(string package) => $"adding {package} …";
 

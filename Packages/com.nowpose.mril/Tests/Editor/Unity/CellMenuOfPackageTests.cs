@@ -27,7 +27,7 @@ namespace Nowpose.Tests.Unity
         {
             foreach (var cell in Cells)
             {
-                _instance = CellMenu.Place(cell, new MenuCommand(null));
+                _instance = CellMenu.Place(cell, null);
 
                 Assert.That(_instance.name, Is.EqualTo(cell.Name));
                 Assert.That(PrefabUtility.GetCorrespondingObjectFromSource(_instance), Is.SameAs(cell.Load<GameObject>()));
@@ -44,7 +44,7 @@ namespace Nowpose.Tests.Unity
             _instance = new GameObject("Robot");
             var rig = _instance.AddComponent<RobotRig>();
 
-            var gripper = CellMenu.Place(PackageAsset.VirtualGripper, new MenuCommand(_instance));
+            var gripper = CellMenu.Place(PackageAsset.VirtualGripper, _instance);
 
             Assert.That(gripper.transform.parent, Is.SameAs(rig.transform));
             Assert.That(Shortcomings.Of(new Object[] { gripper.GetComponent<VirtualGripper>() }), Is.Empty);
@@ -53,10 +53,10 @@ namespace Nowpose.Tests.Unity
         [Test]
         public void Place_AnotherRobot_IsInTheSessionOfTheSelectedCell()
         {
-            _instance = CellMenu.Place(PackageAsset.RobotCell, new MenuCommand(null));
+            _instance = CellMenu.Place(PackageAsset.RobotCell, null);
             var anchor = _instance.GetComponentInChildren<BaseAnchor>(true);
 
-            var robot = CellMenu.Place(PackageAsset.Robot, new MenuCommand(anchor.gameObject));
+            var robot = CellMenu.Place(PackageAsset.Robot, anchor.gameObject);
 
             Assert.That(robot.transform.parent, Is.SameAs(anchor.transform));
             Assert.That(robot.GetComponentsInChildren<RobotRig>(true).Select(rig => rig.Shows), Is.EquivalentTo(new[] { RigPose.Displayed, RigPose.Held }));
