@@ -33,7 +33,22 @@ public sealed class GatewayDialerTests
 
         var failure = Assert.ThrowsAsync<GatewayRefusalException>(() => Dialer("localhost").OpenAsync(port, default).Bounded());
 
-        Assert.That(failure.Message, Is.EqualTo(ConnectionMessages.NotConnected("localhost:" + port, SocketError.ConnectionRefused)));
+        Assert.That(failure.Message, Is.EqualTo(ConnectionMessages.NotConnected("localhost:" + port, true, SocketError.ConnectionRefused)));
+    }
+
+    // --bind any exposes the gateway to the network, and is not needed for a headset on the same machine.
+    [TestCase("127.0.0.1", false)]
+    [TestCase("192.168.0.20", true)]
+    public void Open_ConnectionRefused_NamesTheOptionBindOnlyForAnotherMachine(string host, bool isNamed)
+    {
+        var dialer = new GatewayDialer(
+            new ConnectionSettings(host, insecureLan: true),
+            (tcp, address, port) => throw new SocketException((int)SocketError.ConnectionRefused));
+
+        var failure = Assert.ThrowsAsync<GatewayRefusalException>(() => dialer.OpenAsync(1, default).Bounded());
+
+        Assert.That(failure.Message.Contains("--bind any"), Is.EqualTo(isNamed), failure.Message);
+        Assert.That(failure.Message.Contains("--tls"), Is.EqualTo(isNamed), failure.Message);
     }
 
     [TestCase(true)]
@@ -46,7 +61,7 @@ public sealed class GatewayDialerTests
 
         var failure = Assert.ThrowsAsync<GatewayRefusalException>(() => dialer.OpenAsync(1, default).Bounded());
 
-        Assert.That(failure.Message, Is.EqualTo(ConnectionMessages.NotConnected("gateway.example:1", SocketError.HostNotFound)));
+        Assert.That(failure.Message, Is.EqualTo(ConnectionMessages.NotConnected("gateway.example:1", false, SocketError.HostNotFound)));
     }
 
     // A UWP app without a network capability gets this error, and so does an Android app without the permission INTERNET.
@@ -58,7 +73,7 @@ public sealed class GatewayDialerTests
 
         var failure = Assert.ThrowsAsync<GatewayRefusalException>(() => dialer.OpenAsync(1, default).Bounded());
 
-        Assert.That(failure.Message, Is.EqualTo(ConnectionMessages.NotConnected("127.0.0.1:1", SocketError.AccessDenied)));
+        Assert.That(failure.Message, Is.EqualTo(ConnectionMessages.NotConnected("127.0.0.1:1", true, SocketError.AccessDenied)));
         Assert.That(failure.Message, Does.Contain("PrivateNetworkClientServer").And.Contain("InternetClient").And.Contain("Internet Access"));
     }
 

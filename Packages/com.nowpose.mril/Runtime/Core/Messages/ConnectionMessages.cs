@@ -34,12 +34,15 @@ namespace Nowpose.Messages
             FormattableString.Invariant($"no response within {seconds} s; check host and port, the network, and that the gateway is running");
 
         /// <summary>Returns the reason for a connection that could not be opened; the system's own text is in the language of the device.</summary>
-        public static string NotConnected(string address, SocketError error)
+        /// <param name="isLoopback">Whether the address is one of this device. A gateway listens on it by default.</param>
+        public static string NotConnected(string address, bool isLoopback, SocketError error)
         {
             switch (error)
             {
                 case SocketError.ConnectionRefused:
-                    return $"{address}: the connection is refused; check host and port, that the gateway is running, and that it was started with --bind any";
+                    return address + ": the connection is refused; " + (isLoopback
+                        ? "start the gateway on this device, or correct host and port"
+                        : "check host and port, and that the gateway is running with --bind any and --tls (or --insecure-lan)");
                 case SocketError.HostNotFound:
                 case SocketError.NoData:
                 case SocketError.TryAgain:

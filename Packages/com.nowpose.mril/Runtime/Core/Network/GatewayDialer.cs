@@ -54,7 +54,8 @@ namespace Nowpose.Network
                             address + ": " + ConnectionMessages.NoResponse(ProtocolLimits.DialTimeout.TotalSeconds), failure);
                     if (failure is GatewayRefusalException) throw;
                     if (failure.GetBaseException() is SocketException refused)
-                        throw new GatewayRefusalException(ConnectionMessages.NotConnected(address, refused.SocketErrorCode), failure);
+                        throw new GatewayRefusalException(
+                            ConnectionMessages.NotConnected(address, _settings.IsLoopback, refused.SocketErrorCode), failure);
                     throw;
                 }
             }
