@@ -105,7 +105,10 @@ public sealed partial class MessageCatalogueTests
         ["RecordingMessages"] = ["Stopped"],
         ["RequestMessages"] = ["Closed", "ClosedForRate", "Dropped", "NotAccepted"],
         ["RobotMessages"] = ["OfRobot"],
-        ["SessionMessages"] = ["Description", "DescriptionUnusable", "PlausibleAgain", "Recording", "Stale", "Synchronised", "WithinRange"],
+        ["SessionMessages"] =
+        [
+            "Description", "DescriptionUnusable", "FirstPositions", "PlausibleAgain", "Recording", "Stale", "Synchronised", "WithinRange",
+        ],
         ["SessionFileMessages"] = ["AtByte"],
         ["SignalMessages"] = ["ClockUnsynchronised", "NoConnection", "NoValue", "NotCurrent", "OlderThanConnection", "StampMismatch"],
         ["SimulationMessages"] = ["Error", "Read", "Written"],

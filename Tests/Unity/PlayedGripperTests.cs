@@ -181,7 +181,8 @@ public class PlayedGripperTests
 
         _played.Play(0.5);
 
-        Assert.That(_played.Cell.Messages.Single(), Does.Contain("'youbot'").And.Contain("'hand'"));
+        var error = _played.Cell.Player.Logs.Single(log => log.Type == LogType.Error);
+        Assert.That(error.Message, Does.Contain("'youbot'").And.Contain("'hand'"));
     }
 
     [Test]

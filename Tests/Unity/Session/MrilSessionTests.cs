@@ -98,7 +98,8 @@ public class MrilSessionTests
 
         Assert.That(raised, Is.EqualTo(new[] { "Lost" }));
         Assert.That(_cell.Messages.Count(m => m.StartsWith("[Nowpose] " + SessionMessages.Synchronised, StringComparison.Ordinal)), Is.EqualTo(1));
-        Assert.That(_cell.Messages.Count(), Is.EqualTo(6), string.Join('\n', _cell.Messages));
+        Assert.That(_cell.Messages.Count(m => m == "[Nowpose] " + SessionMessages.FirstPositions), Is.EqualTo(1));
+        Assert.That(_cell.Messages.Count(), Is.EqualTo(7), string.Join('\n', _cell.Messages));
         Assert.That(_cell.Player.Logs.Select(log => log.Context), Is.All.SameAs(session));
     }
 

@@ -10,6 +10,7 @@ using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Simulation.Work;
 using Nowpose.Unity;
+using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -51,6 +52,25 @@ public class SessionConnectionTests
         Assert.That(rig.Model.Name, Is.EqualTo("ur5"));
         Assert.That(rig.Joints.ToArray(), Is.EqualTo(session.Frame.Joints.ToArray()));
         Assert.That(_cell.Messages.Count(m => m.EndsWith(": connected", StringComparison.Ordinal)), Is.GreaterThanOrEqualTo(2));
+        Assert.That(_cell.Messages.Count(m => m.EndsWith(SessionMessages.FirstPositions, StringComparison.Ordinal)), Is.EqualTo(1));
+    }
+
+    // The line about the connection must not suggest that positions arrive.
+    [Test]
+    public async Task Connected_NoJointPositions_LogsOnlyTheConnection()
+    {
+        using var server = new FakeWebSocketServer();
+        var session = _cell.Play(settings: To(1, server.Port));
+        session.Connect();
+        using var socket = await server.AcceptAsync();
+
+        await socket.SendAsync(
+            Encoding.UTF8.GetBytes(RosbridgeWriter.Status("info", "hello")), WebSocketMessageType.Text, true, CancellationToken.None);
+        await SoonAsync(session, () => session.Session.SampleLink.State == LinkState.Connected, "connected");
+        _cell.Frame(null);
+
+        Assert.That(_cell.Messages, Has.One.EndsWith("gateway: connected"));
+        Assert.That(_cell.Messages, Has.None.Contain("joint positions"));
     }
 
     [Test]

@@ -11,6 +11,7 @@ namespace Nowpose.Unity.Messages
         public static string Description(string robot) => $"the gateway describes robot '{robot}'";
         public static string Recording(string path) => $"recording the session to {path}";
 
+        public const string FirstPositions = "the first joint positions have arrived";
         public const string Synchronised = "clock synchronised";
         public const string SynchronisationLost = "clock synchronisation lost; poses are not current; check the network and the gateway";
         public const string WithinRange = "render time within the constant-latency range";

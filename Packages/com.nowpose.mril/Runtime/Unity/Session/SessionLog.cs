@@ -16,6 +16,7 @@ namespace Nowpose.Unity.Session
     {
         readonly Object _context;
         string _sync, _samples, _versions;
+        bool _hasPositions;
         CompensationSession _followed;
         // Numbers of the logged joints beyond their limits, one per robot.
         readonly List<int> _beyondLimits = new List<int>();
@@ -29,15 +30,15 @@ namespace Nowpose.Unity.Session
         public void Fail(string message) => ConsoleLog.Fail(_context, message);
 
         /// <summary>
-        /// Logs changes of the connections, joints outside their limits, conditions that differ from the latency profile, and version mismatches.
-        /// Call it in each frame; it allocates only if something has changed.
+        /// Logs changes of the connections, the first joint positions of a session, joints outside their limits, conditions that differ from the
+        /// latency profile, and version mismatches. Call it in each frame; it allocates only if something has changed.
         /// </summary>
         public void Follow(CompensationSession session)
         {
             Follow(session.SyncLink, "clock sync", ref _sync);
-            Follow(session.SampleLink, "joint positions", ref _samples);
-            if (session != _followed) _beyondLimits.Clear();
-            _followed = session;
+            Follow(session.SampleLink, "gateway", ref _samples);
+            if (session != _followed) Begin(session);
+            FollowPositions(session.Robots);
             FollowLimits(session.Robots);
             Follow(session.ProfileMismatches);
             // Each reconnection reports a version mismatch again, so the same mismatch is logged only once.
@@ -66,6 +67,20 @@ namespace Nowpose.Unity.Session
             if ((change & SessionChange.DisplayTimePlausible) != 0)
                 Debug.Log(ConsoleLog.Prefix + SessionMessages.PlausibleAgain, _context);
             if ((change & SessionChange.Stale) != 0) Warn(SessionMessages.Stale(MissingJointsOf(statistics)));
+        }
+
+        void Begin(CompensationSession session)
+        {
+            _followed = session;
+            _hasPositions = false;
+            _beyondLimits.Clear();
+        }
+
+        void FollowPositions(SessionRobots robots)
+        {
+            if (_hasPositions || robots[0].Intake.Samples == 0) return;
+            _hasPositions = true;
+            Info(SessionMessages.FirstPositions);
         }
 
         void FollowLimits(SessionRobots robots)
