@@ -21,6 +21,7 @@ static class Props
         settings.farClipPlane = 100;
         settings.fieldOfView = 50;
         settings.depth = -1;
+        AddListener(camera);
         return camera;
     }
 
@@ -37,6 +38,7 @@ static class Props
         settings.nearClipPlane = 0.1f;
         settings.farClipPlane = 100;
         settings.depth = -1;
+        AddListener(camera);
         return camera;
     }
 
@@ -64,6 +66,14 @@ static class Props
         ground.transform.localScale = new Vector3(4, 4, 1);
         ground.GetComponent<MeshRenderer>().sharedMaterial = assets.Load<Material>(PackagePaths.Solid);
         return ground;
+    }
+
+    // Unity warns while it plays a scene without an audio listener.
+    static void AddListener(GameObject camera)
+    {
+        var listener = camera.AddComponent<OpaqueComponent>();
+        listener.ClassName = "AudioListener";
+        listener.Fields.Add("m_Enabled", Nodes.Number(1));
     }
 
     static YamlDotNet.RepresentationModel.YamlMappingNode LightFields(bool hasShadows) => Nodes.Lines(

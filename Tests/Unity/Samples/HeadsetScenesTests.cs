@@ -30,6 +30,18 @@ public sealed class HeadsetScenesTests
             Is.EquivalentTo(new[] { "Display Calibration.unity", "Any OpenXR headset.unity", "HoloLens 2 (MRTK3).unity" }));
     }
 
+    // Unity warns while it plays a scene without an audio listener. The scene for MRTK3 has the camera and the listener of MRTK3's rig.
+    [Test]
+    public void SceneCameras_OfTheRepository_HaveAnAudioListener()
+    {
+        foreach (var path in RepositoryFiles.All.Where(f => f.EndsWith(".unity", StringComparison.Ordinal)))
+        {
+            var objects = Regex.Matches(RepositoryFiles.Read(path), @"(?m)^--- !u!(\d+) &").Select(m => m.Groups[1].Value).ToList();
+
+            Assert.That(objects.Count(id => id == "81"), Is.EqualTo(objects.Count(id => id == "20")), path);
+        }
+    }
+
     [TestCaseSource(nameof(Scenes))]
     public void SceneCamera_HeadsetScene_ClearsToTransparentBlackWithPreciseDepth(string path)
     {

@@ -27,6 +27,7 @@ static class EngineClasses
         Component<LineRenderer>(120, ("serializedVersion", "2"), "m_Enabled", ("m_CastShadows", "0"), "m_ReceiveShadows", "m_Materials",
             Slot.Constant("m_Parameters", LineParameters()), "m_UseWorldSpace", ("m_Loop", "0")),
         new OpaqueClass(65, "BoxCollider"),
+        new OpaqueClass(81, "AudioListener"),
         new OpaqueClass(108, "Light"),
         new OpaqueClass(223, "Canvas"),
         new ObjectClass(224, "RectTransform", typeof(RectTransform), Headers.Component.Concat(TransformSlots()).Concat(RectSlots()).ToArray()),
