@@ -39,6 +39,24 @@ public class VirtualRobotCellTests
         Assert.That(Complaints(sample), Is.Empty);
     }
 
+    // The manual's checklist moves these two objects in front of a headset.
+    [Test]
+    public void Scene_BaseAnchorAndRealRobotMoved_AllObjectsFollow()
+    {
+        using var sample = PlayedSample.OfScene().Run(6);
+        var stationary = new[] { "conveyor", "fixture" }.Select(name => GameObject.Find(name).transform).ToArray();
+        var before = stationary.Select(each => each.position).ToArray();
+        var moved = new Vector3(0, -0.6f, 1.2f);
+
+        sample.Cell.transform.Find("Base Anchor").position = moved;
+        sample.Truth.transform.position = moved;
+        sample.Run(20);
+
+        Assert.That(1 - Rms(sample.Errors) / Rms(sample.HoldErrors), Is.GreaterThan(MinReduction));
+        for (var i = 0; i < stationary.Length; i++)
+            Assert.That(Vector3.Distance(stationary[i].position, before[i] + moved), Is.LessThan(1e-5), stationary[i].name);
+    }
+
     [Test]
     public void Scene_Played_DrawsTheArmOnceAndTheGripperOnIt()
     {
