@@ -18,6 +18,7 @@ public sealed class VersionTests
     [TestCase("Gateway/Adapters/package.json", @"""version"": ""([^""]+)""")]
     [TestCase("Gateway/Adapters/package-lock.json", @"""version"": ""([^""]+)""")]
     [TestCase(RepositoryFiles.Package + "/Runtime/Core/NowposeVersion.cs", @"Text = ""([^""]+)""")]
+    [TestCase(RepositoryFiles.Package + "/README.md", @"Assets/Samples/Nowpose/([^/]+)/")]
     [TestCase("CHANGELOG.md", @"(?m)^## \[([^\]]+)\]")]
     [TestCase(RepositoryFiles.Package + "/package.json", @"""documentationUrl"": ""[^""]+/blob/v([^/]+)/")]
     [TestCase(RepositoryFiles.Package + "/package.json", @"""changelogUrl"": ""[^""]+/blob/v([^/]+)/")]
