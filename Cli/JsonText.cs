@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text.Encodings.Web;
 using System.Text.Json;
+using System.Text.Json.Serialization;
 using System.Text.RegularExpressions;
 
 namespace Nowpose.Cli;
@@ -18,11 +19,27 @@ static partial class JsonText
 
     static readonly JsonSerializerOptions OneLine = new(Indented) { WriteIndented = false };
 
+    static readonly JsonSerializerOptions IndentedAndRounded = new(Indented) { Converters = { new RoundedNumber() } };
+
     /// <exception cref="ArgumentException">A number is not finite. JSON has no NaN, and valid results have only finite numbers.</exception>
-    public static string Of(object value, bool isIndented = true) => BeyondAscii().Replace(
-        JsonSerializer.Serialize(value, isIndented ? Indented : OneLine),
+    public static string Of(object value, bool isIndented = true) => Of(value, isIndented ? Indented : OneLine);
+
+    /// <summary>Creates the text with numbers of ten digits, because the last digits of sine and cosine differ between machines.</summary>
+    /// <inheritdoc cref="Of(object, bool)"/>
+    public static string Rounded(object value) => Of(value, IndentedAndRounded);
+
+    static string Of(object value, JsonSerializerOptions options) => BeyondAscii().Replace(
+        JsonSerializer.Serialize(value, options),
         character => string.Create(CultureInfo.InvariantCulture, $@"\u{(int)character.Value[0]:x4}"));
 
     [GeneratedRegex(@"[^\x00-\x7f]")]
     private static partial Regex BeyondAscii();
+
+    sealed class RoundedNumber : JsonConverter<double>
+    {
+        public override double Read(ref Utf8JsonReader reader, Type type, JsonSerializerOptions options) => reader.GetDouble();
+
+        public override void Write(Utf8JsonWriter writer, double value, JsonSerializerOptions options) =>
+            writer.WriteNumberValue(double.Parse(value.ToString("G10", CultureInfo.InvariantCulture), CultureInfo.InvariantCulture));
+    }
 }

@@ -26,6 +26,7 @@ static class DemoFacts
         (DemoTexts.FrameRateLabel, !s.IsRendered ? DemoTexts.Fps(DemoDisplay.FramesPerSecond) : DemoTexts.FrameRate(DemoDisplay.FramesPerSecond)),
         (DemoTexts.Load, (s.Load ?? s.SteadyVertices) is int vertices ? DemoTexts.Vertices(vertices) : DemoTexts.None),
         (DemoTexts.SetPoints, s.PublishesPlan ? DemoTexts.Published : DemoTexts.None),
+        .. Time(s),
         (DemoTexts.Version, ProgramVersion.Text),
         (DemoTexts.Seed, s.Seed.ToString(CultureInfo.InvariantCulture)),
     ];
@@ -33,6 +34,9 @@ static class DemoFacts
     public static (string Label, string Value) DisplayLatency(DemoSettings s) => (
         DemoTexts.DisplayLatency,
         DemoTexts.GivenLatency(Number(s.VisualisationMs, "0.###", " ms"), Number(s.GivenVisualisationMs, "0.###", " ms")));
+
+    /// <summary>Describes virtual time; no facts in real time.</summary>
+    public static IEnumerable<(string Label, string Value)> Time(DemoSettings s) => s.IsVirtual ? [(DemoTexts.Time, DemoTexts.VirtualTime)] : [];
 
     public static IEnumerable<(string Label, string Value)> Results(DemoRun run, DemoScore score, DemoResult result) =>
     [
@@ -46,8 +50,7 @@ static class DemoFacts
         (DemoTexts.EstimatedClockError,
             DemoTexts.EstimatedClockErrorValue(Us(result.Clock.StatedErrorUsP50), Percent(result.Clock.WithinStatedShare))),
         (DemoTexts.SynchronisedAfter, Number(result.Clock.ConvergedS, "0.0", " s")),
-        (DemoTexts.FrameDuration, $"{Us(result.Frame.CpuUsP50)}, {Us(result.Frame.CpuUsP99)}"),
-        (DemoTexts.AllocatedPerFrame, Number(result.Frame.AllocatedBytesPerFrame, "0.##", " B")),
+        .. FrameCost(run.Settings, result.Frame),
         (DemoTexts.Counts, Counts(result.Frames, result.Samples, result.Dropped)),
         .. LateFrames(run.Frames),
     ];
@@ -74,6 +77,13 @@ static class DemoFacts
         if (delays.Count > MinLateShare * scored.Count)
             yield return (DemoTexts.LateFrames, DemoTexts.LateFramesValue(delays.Count, scored.Count, delays.Max()));
     }
+
+    // No facts in virtual time, in which the cost of a frame is not measured.
+    static IEnumerable<(string Label, string Value)> FrameCost(DemoSettings settings, DemoResult.FrameCost frame) => settings.IsVirtual ? [] :
+    [
+        (DemoTexts.FrameDuration, $"{Us(frame.CpuUsP50)}, {Us(frame.CpuUsP99)}"),
+        (DemoTexts.AllocatedPerFrame, Number(frame.AllocatedBytesPerFrame, "0.##", " B")),
+    ];
 
     // No facts if the cell has no objects.
     static IEnumerable<(string Label, string Value)> Workpieces(DemoResult.BodyErrors bodies)

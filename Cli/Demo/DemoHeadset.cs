@@ -1,5 +1,4 @@
 using Nowpose.Kinematics;
-using Nowpose.Recording;
 using Nowpose.Session;
 using Nowpose.Unity;
 using Nowpose.UnityPlayer;
@@ -19,16 +18,14 @@ sealed class DemoHeadset : IDemoHeadset
     readonly MrilSession _component;
     readonly RobotRig _displayed;
     readonly RobotRig _held;
-    readonly string _recordingPath;
     CompensationSession _watched;
-    SessionRecorder _recorder;
 
     /// <param name="clock">The headset clock, which also controls the frame loop.</param>
     /// <param name="samples">Expected number of samples. More samples are accepted.</param>
     /// <param name="recordingPath">Path of the session's recording; null to record nothing.</param>
     public DemoHeadset(RobotModel robot, SessionSettings settings, IHeadsetClock clock, int samples, string recordingPath = null)
     {
-        _recordingPath = recordingPath;
+        Recording = new DemoRecording(recordingPath, DateTime.UtcNow);
         Log = new DemoLog(samples);
         var assets = new AssetLibrary(Path.Combine(AppContext.BaseDirectory, "UnityProject"));
         _player = new Player(assets);
@@ -60,6 +57,8 @@ sealed class DemoHeadset : IDemoHeadset
 
     public DemoLog Log { get; }
 
+    public DemoRecording Recording { get; }
+
     /// <summary>Displayed position of the tool, in the base frame of the robot; the origin before the robot is known.</summary>
     public ToolPosition Tool => ToolOf(_displayed);
 
@@ -81,18 +80,9 @@ sealed class DemoHeadset : IDemoHeadset
         _player.Step(seconds);
     }
 
-    /// <summary>Ends the recording and waits until its last line is written.</summary>
-    /// <returns>The reason if the recording ended early, otherwise null; and the number of lost lines.</returns>
-    public (string Problem, long LostLines) EndRecording()
-    {
-        _recorder?.Dispose();
-        _recorder?.Ended.Wait();
-        return (_recorder?.Problem, _recorder?.LostLines ?? 0);
-    }
-
     public void Dispose()
     {
-        _recorder?.Dispose();
+        Recording.Dispose();
         _player.Dispose();
     }
 
@@ -116,13 +106,6 @@ sealed class DemoHeadset : IDemoHeadset
         if (session == _watched || session == null) return;
         _watched = session;
         Log.Follow(session);
-        // In a scene for any robot, the first session has no joints. It is not recorded.
-        if (_recordingPath != null && session.Robot.MovingJoints.Count > 0) Record(session);
-    }
-
-    void Record(CompensationSession session)
-    {
-        EndRecording();
-        _recorder = new SessionRecorder(session, new RecordingSettings(_recordingPath, startedUtc: DateTime.UtcNow));
+        Recording.Start(session);
     }
 }

@@ -87,7 +87,7 @@ sealed class DemoOutput
     /// <param name="figures">The paper's figures from this run; null without <c>--paper</c>.</param>
     public void Write(DemoScore score, DemoRun run, DemoResult result, IReadOnlyList<Figure> figures = null)
     {
-        OutputFile.Write(ResultPath, JsonText.Of(result));
+        OutputFile.Write(ResultPath, run.Settings.IsVirtual ? JsonText.Rounded(result) : JsonText.Of(result));
         OutputFile.Write(ReportPath, Pages.Report.Render(DemoReport.Of(score, run, result, figures)));
     }
 }

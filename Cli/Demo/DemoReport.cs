@@ -20,7 +20,7 @@ static class DemoReport
         return JsonText.Of(new
         {
             Title = DemoTexts.ReportTitle(run.Settings.Robot.Name),
-            Subtitle = string.Join(' ', [DemoTexts.Subtitle, .. (result.Notes ?? []).Select(note => DemoTexts.Note(note) + ".")]),
+            Subtitle = string.Join(' ', [DemoTexts.Subtitle, .. TimeNote(run.Settings), .. (result.Notes ?? []).Select(note => DemoTexts.Note(note) + ".")]),
             Settings = Pairs(DemoFacts.Settings(run.Settings)),
             Summary = Summary(score, result.ToolErrorMm),
             Facts = Pairs(DemoFacts.Results(run, score, result)),
@@ -38,6 +38,8 @@ static class DemoReport
             Playback = new DemoPlayback(score, run, start).Instants(),
         }, isIndented: false);
     }
+
+    static string[] TimeNote(DemoSettings settings) => settings.IsVirtual ? [DemoTexts.VirtualSubtitle] : [];
 
     static object[] Summary(DemoScore score, DemoResult.ToolErrors tool) =>
     [

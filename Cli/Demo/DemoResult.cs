@@ -16,6 +16,10 @@ sealed record DemoResult(
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
     public IReadOnlyList<PaperClaim> Claims { get; init; }
 
+    /// <summary>The figures of all repeats; null for one run.</summary>
+    [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
+    public DemoRepeats Repeats { get; init; }
+
     /// <summary>Reasons why the results can mislead a reader, in one line each; null if there are none.</summary>
     [JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)]
     public IReadOnlyList<string> Notes { get; init; }

@@ -32,6 +32,20 @@ sealed record DemoRun(
     /// <summary>Number of lines that the recording of the session lost.</summary>
     public long LostLines { get; init; }
 
+    /// <summary>Ends the recording, and collects the data of a run that has ended.</summary>
+    /// <param name="now">Headset time at the end of the run.</param>
+    public static DemoRun Of(DemoSettings settings, IDemoTruth truth, DemoFrameLoop loop, IDemoHeadset headset, HeadsetTime now)
+    {
+        var (problem, lostLines) = headset.Recording.End();
+        return new DemoRun(
+            settings, truth, loop.Frames, headset.Log.ApplicationLatencies, headset.Session.Statistics(now), headset.Session.Range?.Limit,
+            headset.Alarms)
+        {
+            Bodies = loop.Bodies, Signals = loop.Signals, Exchanges = headset.Log.Exchanges(), BeyondLimits = headset.Session.BeyondLimits,
+            RecordingProblem = problem, LostLines = lostLines,
+        };
+    }
+
     /// <summary>Gets the reasons why the results or the recording can mislead a reader, in one line each; null if there are none.</summary>
     /// <param name="interruption">Message that the run is incomplete; null if it is complete.</param>
     public IReadOnlyList<string> Notes(string interruption)

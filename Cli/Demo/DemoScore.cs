@@ -118,6 +118,7 @@ sealed class DemoScore
 
     DemoResult.FrameCost Frame()
     {
+        if (_run.Settings.IsVirtual) return new DemoResult.FrameCost(null, null, null);
         var warm = _run.Frames.Rows.Where(row => row.Elapsed >= WarmUp).ToList();
         return new DemoResult.FrameCost(
             Quantile.OfOrNull(warm.Select(row => row.CpuUs), 0.5), Quantile.OfOrNull(warm.Select(row => row.CpuUs), 0.99),

@@ -67,4 +67,7 @@ sealed record DemoSettings
     public bool PublishesPlan { get; init; }
 
     public int Seed { get; init; }
+
+    /// <summary>Whether the run is computed in virtual time, so that it depends only on the settings.</summary>
+    public bool IsVirtual { get; init; }
 }

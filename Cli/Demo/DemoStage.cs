@@ -1,4 +1,5 @@
 using System.Net;
+using Nowpose.Cli.Demo.Virtual;
 using Nowpose.Cli.Messages;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
@@ -24,6 +25,14 @@ static class DemoStage
     /// <summary>Plays until the duration of the run has elapsed or the user cancels.</summary>
     /// <param name="recordingPath">Path of the headset's recording.</param>
     public static async Task<DemoRun> PlayAsync(DemoSettings settings, string recordingPath, CancellationToken cancel)
+    {
+        var run = settings.IsVirtual
+            ? VirtualStage.Play(settings, recordingPath, cancel) : await PlayInRealTimeAsync(settings, recordingPath, cancel);
+        if (run.RecordingProblem != null) await Console.Error.WriteLineAsync(ConsoleMessages.Line(run.RecordingProblem));
+        return run;
+    }
+
+    static async Task<DemoRun> PlayInRealTimeAsync(DemoSettings settings, string recordingPath, CancellationToken cancel)
     {
         var control = new StopwatchControlClock(ControlEpoch, ControlSkew);
         var options = new GatewayOptions { SyncPort = 0, WebSocketPort = 0 };
@@ -71,14 +80,7 @@ static class DemoStage
         using var never = new ManualResetEventSlim();
         var loop = new DemoFrameLoop(settings, headset, clock, truth, time => PreciseWait.While(() => time - clock.Now, never));
         ConsoleProgress.Run(settings.Seconds, report => loop.Run(report, cancel));
-        var (problem, lostLines) = headset.EndRecording();
-        if (problem != null) Console.Error.WriteLine(ConsoleMessages.Line(problem));
-        if (headset.Complaint is string complaint) throw new DemoFailedException(DemoMessages.SceneError(complaint));
-        return new DemoRun(settings, truth, loop.Frames, headset.Log.ApplicationLatencies, headset.Session.Statistics(clock.Now),
-            session.Range?.Limit, headset.Alarms)
-        {
-            Bodies = loop.Bodies, Signals = loop.Signals, Exchanges = headset.Log.Exchanges(), BeyondLimits = headset.Session.BeyondLimits,
-            RecordingProblem = problem, LostLines = lostLines,
-        };
+        var run = DemoRun.Of(settings, truth, loop, headset, clock.Now);
+        return headset.Complaint is string complaint ? throw new DemoFailedException(DemoMessages.SceneError(complaint)) : run;
     }
 }

@@ -10,10 +10,11 @@ static class DemoTable
     {
         var settings = run.Settings;
         var console = ResultConsole.Create();
-        console.WriteLine(DemoTexts.Title(settings.Robot.Name, settings.Predictor, result.Network));
+        console.WriteLine(DemoTexts.Title(settings.Robot.Name, settings.Predictor, result.Network, settings.IsVirtual));
         foreach (var note in result.Notes ?? []) console.WriteLine(DemoTexts.Note(note));
         console.Write(Errors(score, result));
-        console.Write(Facts([DemoFacts.DisplayLatency(settings), .. DemoFacts.Results(run, score, result)]));
+        console.Write(Facts([DemoFacts.DisplayLatency(settings), .. DemoFacts.Time(settings), .. DemoFacts.Results(run, score, result)]));
+        if (result.Repeats != null) console.Write(Repeats(result.Repeats));
         foreach (var (label, path) in output.Written) console.WriteLine(label.PadRight(8) + path);
     }
 
@@ -30,6 +31,14 @@ static class DemoTable
         return table;
     }
 
+    static Table Repeats(DemoRepeats repeats)
+    {
+        var table = new Table().Title(DemoTexts.Seeds(repeats.Seeds[0], repeats.Seeds[^1])).AddColumn("");
+        foreach (var heading in DemoTexts.RepeatColumns) table.AddColumn(new TableColumn(heading).RightAligned());
+        foreach (var (name, figure) in repeats.Figures) table.AddRow(name, Number(figure.Mean), Number(figure.Min), Number(figure.Max));
+        return table;
+    }
+
     static Grid Facts(IEnumerable<(string Label, string Value)> facts)
     {
         var grid = new Grid().AddColumn().AddColumn();
@@ -37,6 +46,7 @@ static class DemoTable
         return grid;
     }
 
+    static string Number(double value) => RunTexts.Number(value, "0.####");
     static string Mm(double? value) => RunTexts.Number(value, "0.00", " mm");
     static string Percent(double? share) => RunTexts.Number(100 * share, "0.0", " %");
 }

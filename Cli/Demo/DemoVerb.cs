@@ -42,12 +42,18 @@ static class DemoVerb
     static readonly Option<bool> Paper = SwitchOption.Create(
         "--paper", "Reproduce Sect. 3 of the paper: its swing, clock and predictor, a display calibrated by pictures, and a verdict on each claim "
             + $"of Figs 8, 16, 17 and 18; runs {PaperScenario.Seconds} s by default");
-    static readonly Option<int> Repeats = NumberOption.Create("--repeats", "Number of runs of --paper, from which the uncertainty is computed", 1, 1, 100, "");
+    static readonly Option<bool> Virtual = SwitchOption.Create(
+        "--virtual", "Compute the run in virtual time, without sockets and without the scene: the results depend only on the settings and the seed");
+    static readonly Option<int> Repeats = NumberOption.Create(
+        "--repeats", "Number of runs of --paper, from which the uncertainty is computed, or of --virtual, each with the next seed", 1, 1, 100, "");
     static readonly Option<string> Output = TextOption.Create(
         "--out", "Folder for report.html, result.json, session.jsonl, and, with --paper, the data of figures, frames and exchanges",
         standard: "nowpose-demo");
 
     static readonly Option<bool> Open = Browser.Option();
+
+    /// <summary>Minimum sampling interval of a virtual cell.</summary>
+    const double MinVirtualSamplingMs = 5;
 
     // With a load, L_visu is at least one refresh interval: a frame is displayed at the next refresh at the earliest.
     const double MinWithLoadMs = 17;
@@ -58,7 +64,7 @@ static class DemoVerb
             "demo", "Run the headset runtime with a simulated cell over real sockets, and compare the displayed poses with the true ones.")
         {
             Seconds, Network, Robot, Recording, Predictor, Estimator, Profile, Sampling, Acquisition, Visualisation,
-            VisualisationError, Load, Trajectory, Seed, Paper, Repeats, Output, Open,
+            VisualisationError, Load, Trajectory, Seed, Virtual, Paper, Repeats, Output, Open,
         };
         verb.SetAction(RunAsync);
         return verb;
@@ -68,6 +74,7 @@ static class DemoVerb
     {
         var folder = parsed.GetValue(Output);
         var isPaper = parsed.GetValue(Paper);
+        if (parsed.GetValue(Virtual)) RequireVirtual(parsed);
         var settings = await Invocation.ReadAsync(() => isPaper ? PaperSettings(parsed) : Settings(parsed), cancel);
         var status = await (isPaper
             ? PaperSession.RunAsync(settings, parsed.GetValue(Repeats), folder, cancel) : RunAsync(settings, parsed, folder, cancel));
@@ -103,7 +110,8 @@ static class DemoVerb
         var renders = parsed.GetValue(Paper) ? Paper.Name : parsed.GetValue(Load) != null ? Load.Name : null;
         if (renders != null && parsed.GetValue(Visualisation) < MinWithLoadMs)
             throw new InputException(DemoMessages.VisuWithLoad(parsed.GetValue(Visualisation), renders, MinWithLoadMs));
-        if (RecordingOptions.IsGiven(parsed, Repeats) && !parsed.GetValue(Paper)) throw new InputException(DemoMessages.RepeatsWithoutPaper);
+        if (RecordingOptions.IsGiven(parsed, Repeats) && !parsed.GetValue(Paper) && !parsed.GetValue(Virtual))
+            throw new InputException(DemoMessages.RepeatsAlone);
         var robot = RobotFiles.Load(parsed.GetValue(Robot), out var urdf);
         var recording = parsed.GetValue(Recording) is { } path ? MotionRecording.Read(path) : null;
         var motion = recording == null ? null : new RecordedMotion(recording, robot);
@@ -129,7 +137,15 @@ static class DemoVerb
             Load = parsed.GetValue(Load),
             PublishesPlan = parsed.GetValue(Trajectory),
             Seed = parsed.GetValue(Seed),
+            IsVirtual = parsed.GetValue(Virtual),
         };
+    }
+
+    static void RequireVirtual(ParseResult parsed)
+    {
+        RecordingOptions.RequireUnset(parsed, DemoMessages.NotWithVirtual, Paper, Load);
+        if (parsed.GetValue(Sampling) < MinVirtualSamplingMs)
+            throw new InputException(DemoMessages.SamplingWithVirtual(parsed.GetValue(Sampling), MinVirtualSamplingMs));
     }
 
     static string[] WarningsOf(MotionRecording recording, RecordedMotion motion, double samplingMs) =>
@@ -141,21 +157,38 @@ static class DemoVerb
         output.RemoveEarlier();
         foreach (var warning in settings.MotionWarnings) await Console.Error.WriteLineAsync(ConsoleMessages.Line(warning));
         var run = await DemoStage.PlayAsync(settings, output.SessionPath, cancel);
-        return Finish(run, output, cancel.IsCancellationRequested);
+        var repeats = parsed.GetValue(Repeats);
+        if (repeats == 1 || cancel.IsCancellationRequested) return Finish(run, output, cancel.IsCancellationRequested);
+        // The session, the plots and the other results are those of the first repeat, as with --paper.
+        var results = new List<DemoResult> { ResultOf(run) };
+        while (results.Count < repeats)
+        {
+            await Console.Error.WriteLineAsync(ConsoleMessages.Repeat(results.Count + 1, repeats));
+            var next = await DemoStage.PlayAsync(settings with { Seed = settings.Seed + results.Count }, recordingPath: null, cancel);
+            if (cancel.IsCancellationRequested) break;
+            results.Add(ResultOf(next));
+        }
+        var missing = results.Count < repeats ? DemoMessages.FiguresInterrupted(results.Count, repeats) : null;
+        return Finish(run, output, isInterrupted: false, DemoRepeats.Of(results), missing);
     }
+
+    static DemoResult ResultOf(DemoRun run) => run.Failure() is string failure ? throw new DemoFailedException(failure) : new DemoScore(run).Result();
 
     /// <summary>Writes and prints the result of a run.</summary>
     /// <param name="isInterrupted">Whether the user ended the run. Its partial result is then written, even if it is not valid.</param>
+    /// <param name="repeats">The figures of all repeats; null without repeats.</param>
+    /// <param name="missing">Message that the user ended the repeats; null if they are complete.</param>
     /// <returns>The exit status.</returns>
     /// <exception cref="DemoFailedException">A complete run has no valid result.</exception>
-    internal static int Finish(DemoRun run, DemoOutput output, bool isInterrupted)
+    internal static int Finish(DemoRun run, DemoOutput output, bool isInterrupted, DemoRepeats repeats = null, string missing = null)
     {
         if (!isInterrupted && run.Failure() is string failure) throw new DemoFailedException(failure);
         var score = new DemoScore(run);
         var result = score.Result();
-        result = result with { Notes = run.Notes(isInterrupted ? DemoMessages.Interrupted(result.Seconds, run.Settings.Seconds) : null) };
+        var interruption = isInterrupted ? DemoMessages.Interrupted(result.Seconds, run.Settings.Seconds) : missing;
+        result = result with { Repeats = repeats, Notes = run.Notes(interruption) };
         output.Write(score, run, result);
         DemoTable.Print(run, score, result, output);
-        return isInterrupted ? ExitStatus.Interrupted : ExitStatus.Done;
+        return interruption == null ? ExitStatus.Done : ExitStatus.Interrupted;
     }
 }

@@ -13,6 +13,8 @@ interface IDemoHeadset : IDisposable
     /// <summary>Sync exchanges and application latencies of the session so far.</summary>
     DemoLog Log { get; }
 
+    DemoRecording Recording { get; }
+
     /// <summary>Displayed position of the tool; the origin before the robot is known.</summary>
     ToolPosition Tool { get; }
 

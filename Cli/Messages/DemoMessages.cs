@@ -23,7 +23,12 @@ static class DemoMessages
         $"{options}: cannot be combined with --paper, which sets the paper's robot, motion, predictor, clock estimator, sampling interval "
         + "and load, and measures the profile itself";
 
-    public const string RepeatsWithoutPaper = "--repeats: needs --paper; add it, or remove --repeats";
+    public const string RepeatsAlone = "--repeats: needs --paper or --virtual; add one of them, or remove --repeats";
+
+    public const string NotWithVirtual = "cannot be combined with --virtual, which does not play the scene; remove one of the two options";
+
+    public static string SamplingWithVirtual(double ms, double min) =>
+        FormattableString.Invariant($"--sampling-ms: {ms} ms is out of range; allowed with --virtual: {min} to 1000 ms");
 
     public static string PaperSeconds(double seconds, double min) =>
         FormattableString.Invariant($"--seconds: {seconds} s is out of range; allowed with --paper: {min} to 3600 s");
@@ -35,6 +40,9 @@ static class DemoMessages
     public static string RepeatsInterrupted(int complete, int repeats) => complete == 0
         ? "the run was interrupted in its first repeat, so no claim was judged, and the other results are those of a part of it; run it again"
         : $"the run was interrupted, so the claims are judged by {complete} of {repeats} repeats; run it again";
+
+    public static string FiguresInterrupted(int complete, int repeats) =>
+        $"the run was interrupted, so the figures are those of {complete} of {repeats} repeats; run it again";
 
     public static string LinesLost(long lines) =>
         FormattableString.Invariant($"session.jsonl: {lines} lines are missing, because the disk was too slow; set --out to a faster disk");

@@ -83,8 +83,29 @@ static class DemoTexts
     public const string FrameDuration = "Duration of a frame in the player loop, median and P99";
     public const string LatencyPlot = "Application latency L_app of each sample";
 
-    public static string Title(string robot, string predictor, string network) =>
-        $"{robot}, {predictor}, {network}: error of the tool centre point";
+    public static string Title(string robot, string predictor, string network, bool isVirtual) =>
+        $"{robot}, {predictor}, {network}{(isVirtual ? ", virtual time" : "")}: error of the tool centre point";
+
+    public const string Time = "Time";
+
+    /// <summary>Parts of a run in real time that virtual time does not have.</summary>
+    public static readonly string[] NotInVirtualTime =
+    [
+        "connections over TCP and WebSocket with the pings of the gateway", "scheduling of processes and threads", "the scene",
+        "processor time and memory of a frame",
+    ];
+
+    public static readonly string VirtualTime = "virtual, without " + string.Join(", ", NotInVirtualTime);
+
+    public static readonly string VirtualSubtitle =
+        "Computed in virtual time: the results depend only on the settings and the seed. They do not include: "
+        + string.Join(", ", NotInVirtualTime) + ".";
+
+    /// <summary>Headings of the columns in the table of repeats.</summary>
+    public static readonly string[] RepeatColumns = ["mean", "minimum", "maximum"];
+
+    public static string Seeds(int first, int last) =>
+        FormattableString.Invariant($"seed {first}") + (first == last ? "" : FormattableString.Invariant($" to {last}"));
 
     public const string PickAndPlace = "pick-and-place cycle of 7-phase moves";
 

@@ -1,5 +1,6 @@
 using Nowpose.Kinematics;
 using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
 using Nowpose.Session;
 
 namespace Nowpose.Cli.Demo.Virtual;
@@ -9,14 +10,24 @@ sealed class SessionHeadset : IDemoHeadset
 {
     readonly IHeadsetClock _clock;
     readonly ToolKinematics _kinematics;
+    int _nextFlush;
 
-    public SessionHeadset(RobotModel robot, SessionSettings settings, IHeadsetClock clock, int samples)
+    /// <param name="clock">The headset clock, which also controls the frame loop.</param>
+    /// <param name="samples">Expected number of samples. More samples are accepted.</param>
+    /// <param name="recordingPath">Path of the session's recording; null to record nothing.</param>
+    public SessionHeadset(RobotModel robot, SessionSettings settings, IHeadsetClock clock, int samples, string recordingPath = null)
     {
         _clock = clock;
         _kinematics = new ToolKinematics(robot);
-        Session = new CompensationSession(settings, robot, clock);
+        Session = new CompensationSession(settings, robot, clock)
+        {
+            Conditions = new DisplayConditions(displayHz: DemoDisplay.FramesPerSecond),
+        };
         Log = new DemoLog(samples);
         Log.Follow(Session);
+        // Without a date, the same settings give the same file.
+        Recording = new DemoRecording(recordingPath, startedUtc: null);
+        Recording.Start(Session);
     }
 
     public DisplayFrame Frame { get; private set; }
@@ -24,6 +35,8 @@ sealed class SessionHeadset : IDemoHeadset
     public CompensationSession Session { get; }
 
     public DemoLog Log { get; }
+
+    public DemoRecording Recording { get; }
 
     public ToolPosition Tool => Frame == null ? default : _kinematics.At(Frame.Joints);
 
@@ -34,7 +47,18 @@ sealed class SessionHeadset : IDemoHeadset
 
     public void ReportGpuTime(TimeSpan length) => Session.Rendered(length, RenderTimeSourceKind.DisplayGpuTime);
 
-    public void Step(double seconds) => Frame = Session.Tick(_clock.Now);
+    public void Step(double seconds)
+    {
+        Frame = Session.Tick(_clock.Now);
+        // Virtual time is faster than the disk, and the recorder stores only the lines of a few seconds.
+        if (seconds < _nextFlush) return;
+        _nextFlush++;
+        Recording.Flush();
+    }
 
-    public void Dispose() => Session.Dispose();
+    public void Dispose()
+    {
+        Recording.Dispose();
+        Session.Dispose();
+    }
 }

@@ -69,11 +69,11 @@ public class PaperVerbTests
     }
 
     [Test]
-    public async Task RepeatsOption_WithoutPaperOption_IsRefused()
+    public async Task RepeatsOption_Alone_IsRefused()
     {
         var run = await CliRun.OfAsync("demo", "--repeats", "2", "--out", Path.Combine(_folder, "none"));
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors, Does.Contain(DemoMessages.RepeatsWithoutPaper));
+        Assert.That(run.Errors, Does.Contain(DemoMessages.RepeatsAlone));
     }
 }
