@@ -101,13 +101,17 @@ public sealed class BodyReplay
         _rotation.Add(holdAngle, angle);
         _passes.Add(holdDistance * holdDistance, distance * distance);
         if (Scored == null) return;
-        (double Truth, double Held, double Predicted)[] values =
+        foreach (var value in ValuesOf(_frame++, Ticks.Of(time), truth, hold, predicted)) Scored(value);
+    }
+
+    /// <summary>Gets one value for each of <see cref="Axes"/>.</summary>
+    internal static ScoredValue[] ValuesOf(long frame, long ticks, in RigidTransform truth, in RigidTransform hold, in RigidTransform predicted)
+    {
+        ScoredValue Of(int axis, double trueValue, double held, double forecast) => new(frame, ticks, axis, trueValue, held, forecast, double.NaN);
+        return
         [
-            (x, hold.X, predicted.X), (y, hold.Y, predicted.Y), (z, hold.Z, predicted.Z),
-            (0, holdAngle * DegreesPerRadian, angle * DegreesPerRadian),
+            Of(0, truth.X, hold.X, predicted.X), Of(1, truth.Y, hold.Y, predicted.Y), Of(2, truth.Z, hold.Z, predicted.Z),
+            Of(3, 0, hold.AngleTo(truth) * DegreesPerRadian, predicted.AngleTo(truth) * DegreesPerRadian),
         ];
-        for (var axis = 0; axis < values.Length; axis++)
-            Scored(new ScoredValue(_frame, Ticks.Of(time), axis, values[axis].Truth, values[axis].Held, values[axis].Predicted, double.NaN));
-        _frame++;
     }
 }

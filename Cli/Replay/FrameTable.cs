@@ -3,20 +3,29 @@ using System.Globalization;
 namespace Nowpose.Cli.Replay;
 
 /// <summary>Writes the values of all scored frames as CSV: one row for each axis of a frame.</summary>
+/// <param name="axes">The axes of the joints or of the rigid body.</param>
 sealed class FrameTable(TextWriter to, IReadOnlyList<(string Name, string Unit)> axes)
 {
-    /// <summary>Units of the columns: t_s in s, all others in the unit of the row.</summary>
-    public const string Header = "t_s,axis,unit,truth,hold,predicted,sd";
+    /// <summary>
+    /// The columns. Their units: t_s in s, those from <c>truth</c> to <c>sd</c> in the unit of the row. The last two columns have the object and the frame of
+    /// its poses; they are empty for other axes.
+    /// </summary>
+    public const string Header = "t_s,axis,unit,truth,hold,predicted,sd,object,frame";
 
     public void WriteHeader() => to.Write(Header + "\n");
 
-    public void Write(ScoredValue value)
-    {
-        var (name, unit) = axes[value.Axis];
-        to.Write(string.Create(CultureInfo.InvariantCulture,
-            $"{value.Ticks / (decimal)TimeSpan.TicksPerSecond},{CsvField.Quoted(name)},{unit},{value.Truth:R},{value.Held:R},{value.Predicted:R},")
-            + Known(value.Deviation) + "\n");
-    }
+    public void Write(ScoredValue value) => Write(value, axes[value.Axis], "", "");
+
+    /// <summary>Writes the value of an object of a session.</summary>
+    /// <param name="name">Name of the object.</param>
+    /// <param name="frame">Name of the frame in which its poses are compared.</param>
+    /// <param name="value">Value of one of <see cref="BodyReplay.Axes"/>.</param>
+    public void WriteObject(string name, string frame, ScoredValue value) => Write(value, BodyReplay.Axes[value.Axis], name, frame);
+
+    void Write(in ScoredValue value, in (string Name, string Unit) axis, string name, string frame) => to.Write(
+        string.Create(CultureInfo.InvariantCulture, $"{value.Ticks / (decimal)TimeSpan.TicksPerSecond},{CsvField.Quoted(axis.Name)},{axis.Unit},")
+        + string.Create(CultureInfo.InvariantCulture, $"{value.Truth:R},{value.Held:R},{value.Predicted:R},{Known(value.Deviation)},")
+        + $"{CsvField.Quoted(name)},{CsvField.Quoted(frame)}\n");
 
     // The deviation is empty if it is unknown.
     static string Known(double deviation) => double.IsNaN(deviation) ? "" : deviation.ToString("R", CultureInfo.InvariantCulture);

@@ -34,7 +34,7 @@ static class ReplayVerb
         var loss = NumberOption.Create("--loss", "Probability that a sample is lost", 0.0, 0, 1, "");
         var blend = NumberOption.Create("--blend-ms", "Time constant of the blend from the old section to a new one; a session defines it", 0.0, 0, 200, "ms");
         var seed = NumberOption.Create("--seed", "Seed of the random numbers", 1, int.MinValue, int.MaxValue, "");
-        var frames = TextOption.Create(FramesOption, "CSV file for the true, held and predicted position of each axis in each scored frame");
+        var frames = TextOption.Create(FramesOption, "CSV file for the true, held and predicted values of each axis and object in each scored frame");
         var json = SwitchOption.Create("--json", "Print JSON instead of a table");
 
         var verb = new Command("replay", "Predict a recorded motion or session in virtual time and without a network, and print the errors.")
@@ -77,8 +77,8 @@ static class ReplayVerb
             var own = session.Header.Prediction.Predictor;
             if (isDefault && own != settings.Predictor)
                 await Console.Error.WriteLineAsync(ConsoleMessages.Line(ReplayMessages.OtherPredictor(path, own)));
-            var result = WithFrames(frames, SessionReplay.AxesOf(session), scored => WithProgress("events", 2 * session.Events.Count,
-                report => RunSession(path, session, settings, report, cancellation, scored)));
+            var result = WithFrames(frames, SessionReplay.AxesOf(session), table => WithProgress("events", 2 * session.Events.Count,
+                report => RunSession(path, session, settings, report, cancellation, table)));
             if (result.Frames == 0 && !cancellation.IsCancellationRequested && session.Events.Any(one => one.Kind == RecordedSession.EventKind.Sample))
                 await Console.Error.WriteLineAsync(ConsoleMessages.Line(SessionReplay.NothingScored(path)));
             Print(result, json, cancellation.IsCancellationRequested, ReplayConditions.Of(settings, session.Header.Prediction));
@@ -89,9 +89,9 @@ static class ReplayVerb
             IReadOnlyList<(string Name, string Unit)> axes,
             Func<Action<ScoredValue>, (int Frames, Func<Action<int>, CancellationToken, T> Run)> create)
         {
-            var result = WithFrames(frames, axes, scored =>
+            var result = WithFrames(frames, axes, table =>
             {
-                var (total, run) = create(scored);
+                var (total, run) = create(table == null ? null : table.Write);
                 return WithProgress("frames", total, report => run(report, cancellation));
             });
             // Only after the replay, because invalid input gives only one line.
@@ -121,8 +121,8 @@ static class ReplayVerb
             throw new InputException(OptionValueMessages.NotCompressed(FramesOption, frames));
     }
 
-    /// <summary>Calls a replay with an action that writes each value to a file, or with null without a file.</summary>
-    static T WithFrames<T>(string path, IReadOnlyList<(string Name, string Unit)> axes, Func<Action<ScoredValue>, T> replay)
+    /// <summary>Calls a replay with the file for the values of each frame, or with null without a file.</summary>
+    static T WithFrames<T>(string path, IReadOnlyList<(string Name, string Unit)> axes, Func<FrameTable, T> replay)
     {
         if (path == null) return replay(null);
         T result = default;
@@ -130,7 +130,7 @@ static class ReplayVerb
         {
             var table = new FrameTable(file, axes);
             table.WriteHeader();
-            result = replay(table.Write);
+            result = replay(table);
         }));
         return result;
     }
@@ -167,14 +167,13 @@ static class ReplayVerb
     }
 
     /// <param name="report">Receives the number of finished events. Each event is replayed twice: for the objects, then for the joints.</param>
-    /// <param name="scored">Called for each joint of each scored frame; null if it is not needed.</param>
+    /// <param name="frames">Receives the values of each scored frame; null if it is not needed.</param>
     internal static ReplayResult RunSession(
-        string path, RecordedSession session, ReplaySettings settings, Action<int> report, CancellationToken cancellation,
-        Action<ScoredValue> scored = null)
+        string path, RecordedSession session, ReplaySettings settings, Action<int> report, CancellationToken cancellation, FrameTable frames = null)
     {
-        var bodies = new SessionBodies(session, settings).Run(report, cancellation);
+        var bodies = new SessionBodies(session, settings) { Scored = frames == null ? null : frames.WriteObject }.Run(report, cancellation);
         var joints = new ReplayResult(path, settings.Predictor, 0, []);
-        var replay = new SessionReplay(path, session, new SessionTruth(session), settings) { Scored = scored };
+        var replay = new SessionReplay(path, session, new SessionTruth(session), settings) { Scored = frames == null ? null : frames.Write };
         try
         {
             joints = replay.Run(done => report(session.Events.Count + done), cancellation);

@@ -45,6 +45,11 @@ sealed class SessionBodies
         }
     }
 
+    /// <summary>
+    /// Called for each value of each scored object in each frame, with the names of the object and of the frame in which its poses are compared.
+    /// </summary>
+    public Action<string, string, ScoredValue> Scored { get; init; }
+
     /// <summary>Gets the result of each object that moves. After a cancellation, returns the results so far.</summary>
     /// <param name="report">Receives the number of finished events; null if it is not needed.</param>
     public IReadOnlyList<BodyReplayResult> Run(Action<int> report = null, CancellationToken cancellation = default)
@@ -82,12 +87,18 @@ sealed class SessionBodies
     {
         foreach (var body in _bodies.Values) body.Predict(frame.TimeLine, frame.At, _settings.LatencyError);
         foreach (var (name, body) in _bodies)
-            if (!_stationary.ContainsKey(name) && TryFindPath(name, out var isInWorld) && BodyMotion.IsMoving(seconds => Compose(each => each.TrueAt(seconds)), 0))
-                body.Score(Compose(each => each.Held), Compose(each => each.Predicted), Compose(each => each.TrueAt(0)), isInWorld);
+        {
+            if (_stationary.ContainsKey(name) || !TryFindPath(name, out var root)) continue;
+            if (!BodyMotion.IsMoving(seconds => Compose(each => each.TrueAt(seconds)), 0)) continue;
+            var (held, predicted, truth) = (Compose(each => each.Held), Compose(each => each.Predicted), Compose(each => each.TrueAt(0)));
+            body.Score(held, predicted, truth, isInWorld: root == FrameParents.World);
+            if (Scored == null) continue;
+            foreach (var value in BodyReplay.ValuesOf(frame.First, frame.At.SinceEpoch.Ticks, truth, held, predicted)) Scored(name, root, value);
+        }
     }
 
-    // Returns false if the true pose of the object or of a frame above it is unknown.
-    bool TryFindPath(string frame, out bool isInWorld)
+    // Gets the world or the link of a robot. Returns false if the true pose of the object or of a frame above it is unknown.
+    bool TryFindPath(string frame, out string root)
     {
         _path.Clear();
         while (_path.Count <= ProtocolLimits.FrameDepth)
@@ -104,11 +115,11 @@ sealed class SessionBodies
             }
             else
             {
-                isInWorld = frame == FrameParents.World;
+                root = frame;
                 return body == null;
             }
         }
-        isInWorld = false;
+        root = null;
         return false;
     }
 

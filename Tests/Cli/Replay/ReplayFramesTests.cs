@@ -33,7 +33,7 @@ public class ReplayFramesTests
         using var json = JsonDocument.Parse(run.Output);
         var result = json.RootElement;
         var lines = await File.ReadAllLinesAsync(frames);
-        Assert.That(lines[0], Is.EqualTo("t_s,axis,unit,truth,hold,predicted,sd"));
+        Assert.That(lines[0], Is.EqualTo("t_s,axis,unit,truth,hold,predicted,sd,object,frame"));
         var rows = lines.Skip(1).Select(line => line.Split(',')).ToList();
         Assert.That(rows, Has.Count.EqualTo(2 * result.GetProperty("frames").GetInt32()));
         Assert.That(rows[^1][0], Is.EqualTo("4"));
@@ -41,7 +41,7 @@ public class ReplayFramesTests
         {
             double Of(string key) => axis.GetProperty(key).GetDouble();
             var name = axis.GetProperty("name").GetString();
-            var ofAxis = rows.Where(row => row[1] == name).Select(row => row.Skip(3).Select(Number).ToArray()).ToList();
+            var ofAxis = rows.Where(row => row[1] == name).Select(row => row[3..7].Select(Number).ToArray()).ToList();
             Assert.That(Math.Sqrt(ofAxis.Average(row => Math.Pow(row[1] - row[0], 2))), Is.EqualTo(Of("rms_hold")).Within(1e-9));
             Assert.That(Math.Sqrt(ofAxis.Average(row => Math.Pow(row[2] - row[0], 2))), Is.EqualTo(Of("rms")).Within(1e-9));
             Assert.That(ofAxis.Where(row => !double.IsNaN(row[3])).Average(row => row[3]), Is.EqualTo(Of("sd")).Within(1e-9));
@@ -85,6 +85,40 @@ public class ReplayFramesTests
         var rows = (await File.ReadAllLinesAsync(frames)).Skip(1).Select(line => line.Split(',')).ToList();
         Assert.That(rows.Select(row => row[2]).Distinct(), Is.EquivalentTo(new[] { "rad", "m" }));
         Assert.That(rows.Select(row => Number(row[0])), Is.Ordered.And.All.InRange(1_700_000_500, 1_700_000_509));
+    }
+
+    [Test]
+    public async Task Replay_FramesOfASessionWithObjects_HaveTheErrorsOfTheObjects()
+    {
+        var (session, frames) = (Path.Combine(_folder, "session.jsonl"), Path.Combine(_folder, "frames.csv"));
+        VirtualRecording.To(session, seconds: 20, hasWork: true);
+
+        var run = await CliRun.OfAsync("replay", session, "--json", "--frames", frames);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
+        var rows = (await File.ReadAllLinesAsync(frames)).Skip(1).Select(line => line.Split(',')).ToList();
+        var ofObjects = rows.Where(row => row[7].Length > 0).GroupBy(row => row[7]).ToDictionary(group => group.Key, group => group.ToList());
+        Assert.That(rows.Where(row => row[7].Length == 0).Select(row => row[8]), Is.All.Empty, "joints have no frame");
+        Assert.That(rows.Where(row => row[7].Length > 0).Select(row => row[8]).Distinct(), Is.EqualTo(new[] { "world" }));
+        using var json = JsonDocument.Parse(run.Output);
+        var bodies = json.RootElement.GetProperty("bodies").EnumerateArray().ToList();
+        Assert.That(ofObjects.Keys, Is.EquivalentTo(bodies.Select(body => body.GetProperty("name").GetString())));
+        foreach (var body in bodies)
+        {
+            var own = ofObjects[body.GetProperty("name").GetString()];
+            Assert.That(own, Has.Count.EqualTo(4 * body.GetProperty("frames").GetInt32()));
+            Assert.That(own.Take(4).Select(row => row[1] + " " + row[2]), Is.EqualTo(new[] { "x m", "y m", "z m", "angle deg" }));
+            double Squares(int column, bool isAngle) =>
+                own.Where(row => row[1] == "angle" == isAngle).Sum(row => Math.Pow(Number(row[column]) - Number(row[3]), 2)) / (own.Count / 4);
+            void AssertError(string kind, double scale, bool isAngle)
+            {
+                double Of(string key) => body.GetProperty(kind).GetProperty(key).GetDouble();
+                Assert.That(scale * Math.Sqrt(Squares(4, isAngle)), Is.EqualTo(Of("rms_hold")).Within(1e-6));
+                Assert.That(scale * Math.Sqrt(Squares(5, isAngle)), Is.EqualTo(Of("rms")).Within(1e-6));
+            }
+            AssertError("error_mm", 1000, isAngle: false);
+            AssertError("error_deg", 1, isAngle: true);
+        }
     }
 
     [Test]

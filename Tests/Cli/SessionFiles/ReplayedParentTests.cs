@@ -69,6 +69,18 @@ public class ReplayedParentTests : SessionReplayFixture
         Assert.That(bodies.Select(body => body.Position.Rms), Is.All.GreaterThan(0));
     }
 
+    [TestCase(FrameParents.World)]
+    [TestCase("arm_link_5")]
+    public void Scored_MovingParent_NamesTheFrameOfThePoses(string parent)
+    {
+        Record(shuttleParent: parent);
+        var frames = new HashSet<string>();
+
+        new SessionBodies(RecordedSession.Read(_path), new ReplaySettings()) { Scored = (_, frame, _) => frames.Add(frame) }.Run();
+
+        Assert.That(frames, Is.EqualTo(new[] { parent }));
+    }
+
     [Test]
     public void Replay_MovingParentWithoutData_IsNotCompared()
     {
