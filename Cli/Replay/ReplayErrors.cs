@@ -24,7 +24,8 @@ sealed class ReplayErrors(IReadOnlyList<(string Name, string Unit)> axes)
     public ReplayResult Result(string path, string predictor)
     {
         var scored = _axes.Zip(axes).Where(axis => axis.First.Count > 0);
-        var result = new ReplayResult(path, predictor, Frames, [.. scored.Select(axis => axis.First.Summary(axis.Second.Name))]);
+        var summaries = scored.Select(axis => axis.First.Summary(axis.Second.Name) with { Unit = axis.Second.Unit });
+        var result = new ReplayResult(path, predictor, Frames, [.. summaries]);
         return double.IsFinite(result.Rms + result.RmsHold) ? result : throw new InputException(ReplayMessages.TooLarge(path));
     }
 }

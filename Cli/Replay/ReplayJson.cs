@@ -13,6 +13,7 @@ static class ReplayJson
             ["rms_hold"] = result.RmsHold, ["rms"] = result.Rms, ["reduction"] = result.Reduction,
             ["conditions"] = conditions,
         };
+        if (result.Totals.Count > 0) json["totals"] = result.Totals;
         if (result.Passes.Count > 1) json["passes"] = result.Passes;
         if (result.Bodies.Count > 0) json["bodies"] = result.Bodies.Select(body => new
         {
@@ -40,13 +41,17 @@ static class ReplayJson
 
     static object Error(ErrorComparison? comparison) => comparison is { } error ? new { error.RmsHold, error.Rms, error.P95 } : null;
 
-    static object Axis(ReplayResult.Axis axis) => axis.Deviation is { } deviation
-        ? new
+    static Dictionary<string, object> Axis(ReplayResult.Axis axis)
+    {
+        var json = new Dictionary<string, object>
         {
-            axis.Name, axis.Error.RmsHold, axis.Error.Rms, axis.Error.P95, axis.Error.Max,
-            Sd = deviation.Mean, inside_1sd = deviation.All.InsideOne, inside_2sd = deviation.All.InsideTwo, SdRms = deviation.Rms,
-            SdFrames = deviation.All.Frames, MovingFrames = deviation.Moving.Frames, moving_inside_1sd = deviation.Moving.InsideOne,
-            moving_inside_2sd = deviation.Moving.InsideTwo,
-        }
-        : new { axis.Name, axis.Error.RmsHold, axis.Error.Rms, axis.Error.P95, axis.Error.Max };
+            ["name"] = axis.Name, ["rms_hold"] = axis.Error.RmsHold, ["rms"] = axis.Error.Rms, ["p95"] = axis.Error.P95, ["max"] = axis.Error.Max,
+        };
+        if (axis.Unit != null) json["unit"] = axis.Unit;
+        if (axis.Deviation is not { } deviation) return json;
+        (json["sd"], json["inside_1sd"], json["inside_2sd"]) = (deviation.Mean, deviation.All.InsideOne, deviation.All.InsideTwo);
+        (json["sd_rms"], json["sd_frames"], json["moving_frames"]) = (deviation.Rms, deviation.All.Frames, deviation.Moving.Frames);
+        (json["moving_inside_1sd"], json["moving_inside_2sd"]) = (deviation.Moving.InsideOne, deviation.Moving.InsideTwo);
+        return json;
+    }
 }

@@ -9,15 +9,30 @@ public sealed record ReplayResult
         Predictor = predictor;
         Frames = frames;
         Axes = axes;
-        RmsHold = Math.Sqrt(axes.Sum(axis => axis.Error.RmsHold * axis.Error.RmsHold));
-        Rms = Math.Sqrt(axes.Sum(axis => axis.Error.Rms * axis.Error.Rms));
+        var all = Total.Of(null, axes);
+        (RmsHold, Rms) = (all.RmsHold, all.Rms);
+        var units = axes.GroupBy(axis => axis.Unit).ToList();
+        if (units.Count > 1) Totals = [.. units.Select(unit => Total.Of(unit.Key, unit))];
     }
 
     /// <summary>Errors of one column.</summary>
     public readonly record struct Axis(string Name, ErrorComparison Error)
     {
+        /// <summary>Unit of the errors, rad or m; null if the file does not state it.</summary>
+        public string Unit { get; init; }
+
         /// <summary>Standard deviations that the predictor states; null if it states none.</summary>
         public Deviation? Deviation { get; init; }
+    }
+
+    /// <summary>Square root of the sum of the mean squared errors of the axes with one unit, for hold and for the prediction.</summary>
+    public readonly record struct Total(string Unit, double RmsHold, double Rms)
+    {
+        /// <inheritdoc cref="ReplayResult.Reduction"/>
+        public double? Reduction => ErrorReduction.Of(Rms, RmsHold);
+
+        internal static Total Of(string unit, IEnumerable<Axis> axes) => new(
+            unit, Math.Sqrt(axes.Sum(axis => axis.Error.RmsHold * axis.Error.RmsHold)), Math.Sqrt(axes.Sum(axis => axis.Error.Rms * axis.Error.Rms)));
     }
 
     /// <summary>
@@ -45,6 +60,9 @@ public sealed record ReplayResult
     public int Frames { get; }
 
     public IReadOnlyList<Axis> Axes { get; }
+
+    /// <summary>Totals for each unit; empty if all axes have the same unit, or if the file does not state the units.</summary>
+    public IReadOnlyList<Total> Totals { get; } = [];
 
     /// <summary>Results of each pass over a motion; empty for a session.</summary>
     public IReadOnlyList<PassRms> Passes { get; init; } = [];

@@ -21,12 +21,20 @@ static class ReplayTable
         var table = Create("axis", result.File, result.Predictor, result.Frames,
             statesDeviation ? ["mean SD", "inside 1 SD", "inside 2 SD", "moving, 2 SD"] : []);
         foreach (var axis in result.Axes)
-            table.AddRow([Markup.Escape(OneLine(axis.Name)), .. Cells(axis.Error), .. statesDeviation ? Cells(axis.Deviation) : []]);
+            table.AddRow([
+                Markup.Escape(OneLine(Named(axis.Name, axis.Unit))), .. Cells(axis.Error), .. statesDeviation ? Cells(axis.Deviation) : [],
+            ]);
         table.AddEmptyRow();
-        table.AddRow("all", Number(result.RmsHold), Number(result.Rms), "", "", Percent(result.Reduction));
-        console.Write(table.Caption(ReplayTexts.Units));
+        void AddTotal(string name, double hold, double rms, double? reduction) =>
+            table.AddRow(name, Number(hold), Number(rms), "", "", Percent(reduction));
+        foreach (var total in result.Totals) AddTotal(Named(ReplayTexts.All, total.Unit), total.RmsHold, total.Rms, total.Reduction);
+        var unit = result.Axes[0].Unit;
+        AddTotal(result.Totals.Count > 0 ? ReplayTexts.AllUnits : Named(ReplayTexts.All, unit), result.RmsHold, result.Rms, result.Reduction);
+        console.Write(unit == null ? table.Caption(ReplayTexts.Units) : table);
         WritePasses(console, result.Passes);
     }
+
+    static string Named(string name, string unit) => unit == null ? name : $"{name}, {unit}";
 
     // Nothing for one pass.
     static void WritePasses(IAnsiConsole console, IReadOnlyList<PassRms> passes)

@@ -180,7 +180,7 @@ public class ReplayedCellTests : SessionReplayFixture
         var run = await Run("replay", _path, "--json");
 
         var names = JsonDocument.Parse(run.Output).RootElement.EnumerateObject().Select(one => one.Name);
-        Assert.That(names, Is.EqualTo(new[] { "file", "predictor", "frames", "axes", "rms_hold", "rms", "reduction", "conditions" }));
+        Assert.That(names, Is.EqualTo(new[] { "file", "predictor", "frames", "axes", "rms_hold", "rms", "reduction", "conditions", "totals" }));
     }
 
     static readonly string[][] DamagedPoses =

@@ -155,7 +155,7 @@ public class SessionReplayTests : SessionReplayFixture
     }
 
     [Test]
-    public async Task Json_Session_HasTheSameKeysAsForAMotion()
+    public async Task Json_Session_HasTheKeysOfAMotionAndTotalsForEachUnit()
     {
         VirtualRecording.To(_path);
 
@@ -164,7 +164,7 @@ public class SessionReplayTests : SessionReplayFixture
         using var json = JsonDocument.Parse(run.Output);
         Assert.That(
             json.RootElement.EnumerateObject().Select(p => p.Name),
-            Is.EqualTo(new[] { "file", "predictor", "frames", "axes", "rms_hold", "rms", "reduction", "conditions" }));
+            Is.EqualTo(new[] { "file", "predictor", "frames", "axes", "rms_hold", "rms", "reduction", "conditions", "totals" }));
         Assert.That(json.RootElement.GetProperty("reduction").GetDouble(), Is.EqualTo(0));
         Assert.That(json.RootElement.GetProperty("frames").GetInt32(), Is.InRange(900, 1200));
         Assert.That(json.RootElement.GetProperty("axes")[0].GetProperty("name").GetString(), Is.EqualTo("arm_joint_1"));
