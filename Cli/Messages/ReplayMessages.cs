@@ -1,3 +1,5 @@
+using Nowpose.Cli.Replay;
+
 namespace Nowpose.Cli.Messages;
 
 /// <summary>Error messages of the command <c>replay</c>, with remedies.</summary>
@@ -21,14 +23,17 @@ static class ReplayMessages
     public static string OtherPredictor(string path, string predictor) =>
         $"{path}: the session was displayed with {predictor}; repeat it with --predictor {predictor}";
 
-    public static string CoarseRows(double intervalMs, double samplingMs) =>
-        FormattableString.Invariant($"the rows are {intervalMs:G6} ms apart (median), but a sample is taken every {samplingMs:G6} ms: samples ")
-        + "between rows are interpolated, so the error of the predictors is too small; check that the time is in s, or increase --sampling-ms";
+    public static string CoarseRows(double intervalMs, double samplingMs, RecordingGaps? gaps = null) =>
+        FormattableString.Invariant($"the rows are {intervalMs:G6} ms apart (median{(gaps is { } found ? "; " + Intervals(found) : "")}), ")
+        + FormattableString.Invariant($"but a sample is taken every {samplingMs:G6} ms: samples between rows are interpolated, ")
+        + "so the error of the predictors is too small; check that the time is in s, or increase --sampling-ms";
 
-    public static string Gaps(int count, double minSeconds, double largestSeconds) =>
-        (count == 1 ? "1 interval without rows is" : FormattableString.Invariant($"{count} intervals without rows are"))
-        + FormattableString.Invariant($" longer than {minSeconds} s (largest {largestSeconds:0.0} s); the motion in ")
-        + (count == 1 ? "it" : "them") + " is a straight line; if the true motion was not, record it again";
+    public static string Gaps(RecordingGaps gaps) =>
+        $"{Intervals(gaps)}; the motion in {(gaps.Count == 1 ? "it" : "them")} is a straight line; if the true motion was not, record it again";
+
+    static string Intervals(RecordingGaps gaps) =>
+        (gaps.Count == 1 ? "1 interval without rows is" : FormattableString.Invariant($"{gaps.Count} intervals without rows are"))
+        + FormattableString.Invariant($" longer than {RecordingGaps.MinSeconds} s, the largest {gaps.LargestSeconds:0.0} s");
 
     public static string TooShort(double seconds, double neededSeconds) =>
         FormattableString.Invariant($"{seconds:G6} s is too short: a frame is evaluated only after sample 4 has arrived, which takes up ")

@@ -18,16 +18,15 @@ sealed class RecordingTraits
     const double NoticeableSpread = 0.2;
     const double NoticeableRepeats = 0.01;
 
-    readonly double? _samplingMs;
-    readonly string _gaps;
+    readonly string _rows;
 
     /// <param name="samplingMs">Smallest sampling interval T_s of the evaluation, ms; null if the recording contains the samples.</param>
     public RecordingTraits(IReadOnlyList<JointSeries> joints, double? samplingMs = null)
     {
-        _samplingMs = samplingMs;
         var moving = joints.Where(joint => joint.Positions.Count > 1).ToList();
         // All joints of a motion have the same times.
-        if (samplingMs != null && moving.Count > 0) _gaps = RecordingGaps.WarningOf(moving[0].Times, [.. moving.Select(joint => joint.Positions)]);
+        if (samplingMs is double sampled && moving.Count > 0)
+            _rows = RowInterval.WarningOf(moving[0].Times, [.. moving.Select(joint => joint.Positions)], sampled);
         Duration = moving.Select(joint => joint.Times[^1] - joint.Times[0]).DefaultIfEmpty().Max();
         var intervals = moving.SelectMany(joint => joint.Times.Zip(joint.Times.Skip(1), (a, b) => b - a)).ToList();
         if (intervals.Count > 0)
@@ -67,10 +66,8 @@ sealed class RecordingTraits
         // A recording of 9.99 s has 1000 rows at 100 Hz.
         if (Math.Round(Duration, 1) < MinDuration)
             yield return RecommendMessages.Short(Duration, MinDuration);
-        if (_samplingMs is double samplingMs && RowInterval.WarningOf(Interval, samplingMs) is { } coarse)
-            yield return coarse;
-        if (_gaps != null)
-            yield return _gaps;
+        if (_rows != null)
+            yield return _rows;
         if (IntervalP95 - IntervalP5 > NoticeableSpread * Interval)
             yield return RecommendMessages.LateStamps(1e3 * IntervalP5, 1e3 * IntervalP95);
         if (Repeats > NoticeableRepeats)

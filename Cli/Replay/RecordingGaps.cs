@@ -1,12 +1,12 @@
-using Nowpose.Cli.Messages;
-using Nowpose.Gateway.MotionRecordings;
-
 namespace Nowpose.Cli.Replay;
 
-/// <summary>Finds long intervals without rows during the motion of a recording. The replay interpolates them linearly.</summary>
-static class RecordingGaps
+/// <summary>The long intervals without rows during the motion of a recording. The replay interpolates them linearly.</summary>
+/// <param name="Count">Number of these intervals.</param>
+/// <param name="LargestSeconds">Length of the largest one.</param>
+readonly record struct RecordingGaps(int Count, double LargestSeconds)
 {
-    const double MinSeconds = 0.5;
+    /// <summary>Minimum length of an interval, s.</summary>
+    public const double MinSeconds = 0.5;
 
     /// <summary>Minimum ratio to the median interval. Recordings with a low rate have long intervals everywhere.</summary>
     const double MinRatio = 2;
@@ -14,20 +14,16 @@ static class RecordingGaps
     /// <summary>Minimum number of rows. A file with fewer rows contains the corners of a motion.</summary>
     const int MinRows = 51;
 
-    /// <summary>Gets the warning about the gaps of a motion; null if there are none.</summary>
-    public static string WarningOf(MotionRecording motion) =>
-        WarningOf(motion.Times, [.. motion.Names.Select((_, joint) => motion.PositionsOf(joint))]);
-
+    /// <summary>Finds the gaps of a motion; null if there are none.</summary>
     /// <param name="times">Times of the rows, increasing, s.</param>
     /// <param name="columns">Values of each column, one per row. An interval with equal values at both ends is a rest.</param>
-    /// <inheritdoc cref="WarningOf(MotionRecording)"/>
-    public static string WarningOf(IReadOnlyList<double> times, IReadOnlyList<IReadOnlyList<double>> columns)
+    public static RecordingGaps? Of(IReadOnlyList<double> times, IReadOnlyList<IReadOnlyList<double>> columns)
     {
         if (times.Count < MinRows) return null;
         var min = Math.Max(MinSeconds, MinRatio * RowInterval.Of(times));
         double[] gaps = [.. Enumerable.Range(1, times.Count - 1)
             .Where(row => times[row] - times[row - 1] > min && columns.Any(values => values[row] != values[row - 1]))
             .Select(row => times[row] - times[row - 1])];
-        return gaps.Length == 0 ? null : ReplayMessages.Gaps(gaps.Length, MinSeconds, gaps.Max());
+        return gaps.Length == 0 ? null : new RecordingGaps(gaps.Length, gaps.Max());
     }
 }

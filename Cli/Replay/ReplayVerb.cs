@@ -95,7 +95,7 @@ static class ReplayVerb
                 return WithProgress("frames", total, report => run(report, cancellation));
             });
             // Only after the replay, because invalid input gives only one line.
-            foreach (var warning in RowInterval.WarningsOf(recording, settings.SamplingInterval * MsPerSecond))
+            if (RowInterval.WarningOf(recording, settings.SamplingInterval * MsPerSecond) is { } warning)
                 Console.Error.WriteLine(ConsoleMessages.Line($"{path}: {warning}"));
             return result;
         }

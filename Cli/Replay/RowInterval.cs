@@ -13,15 +13,21 @@ static class RowInterval
     /// <param name="times">Two times or more, increasing, s.</param>
     public static double Of(IReadOnlyList<double> times) => Quantile.Of(times.Zip(times.Skip(1), (from, to) => to - from), 0.5);
 
-    /// <summary>Gets the warnings of a replay, about rows that are too far apart, and about gaps.</summary>
-    public static IEnumerable<string> WarningsOf(MotionRecording motion, double samplingMs) =>
-        new[] { WarningOf(motion, samplingMs), RecordingGaps.WarningOf(motion) }.Where(warning => warning != null);
+    /// <summary>
+    /// Gets the warning that samples are interpolated between the rows of a motion, because the rows are too far apart or because some
+    /// intervals are long; null if the rows are dense enough.
+    /// </summary>
+    public static string WarningOf(MotionRecording motion, double samplingMs) =>
+        WarningOf(motion.Times, [.. motion.Names.Select((_, joint) => motion.PositionsOf(joint))], samplingMs);
 
-    /// <summary>Gets the warning that samples are interpolated between rows of a motion; null if the rows are dense enough.</summary>
-    public static string WarningOf(MotionRecording motion, double samplingMs) => WarningOf(Of(motion.Times), samplingMs);
-
-    /// <param name="interval">Median interval between rows, s.</param>
+    /// <param name="times">Times of the rows, two or more, increasing, s.</param>
+    /// <param name="columns">Values of each column, one per row.</param>
     /// <inheritdoc cref="WarningOf(MotionRecording, double)"/>
-    public static string WarningOf(double interval, double samplingMs) =>
-        1e3 * interval > MaxRatio * samplingMs ? ReplayMessages.CoarseRows(1e3 * interval, samplingMs) : null;
+    public static string WarningOf(IReadOnlyList<double> times, IReadOnlyList<IReadOnlyList<double>> columns, double samplingMs)
+    {
+        var intervalMs = 1e3 * Of(times);
+        var gaps = RecordingGaps.Of(times, columns);
+        if (intervalMs > MaxRatio * samplingMs) return ReplayMessages.CoarseRows(intervalMs, samplingMs, gaps);
+        return gaps is { } found ? ReplayMessages.Gaps(found) : null;
+    }
 }

@@ -76,7 +76,18 @@ public class RecordingTraitsTests
 
         var traits = new RecordingTraits([new JointSeries("a", times, [.. times.Select(Math.Sin)])], samplingMs: 50);
 
-        Assert.That(traits.Warnings(), Is.EqualTo(new[] { ReplayMessages.Gaps(1, 0.5, 2.01) }));
+        Assert.That(traits.Warnings(), Is.EqualTo(new[] { ReplayMessages.Gaps(new(1, 2.01)) }));
+    }
+
+    [Test]
+    public void Warnings_RowsOnlyAtEvents_AreOneAboutTheRows()
+    {
+        // Rows at 200 ms, and none for 4 s after every 20th row.
+        var times = Enumerable.Range(0, 120).Select(i => i * 0.2 + i / 20 * 4).ToArray();
+
+        var traits = new RecordingTraits([new JointSeries("a", times, [.. times.Select(Math.Sin)])], samplingMs: 50);
+
+        Assert.That(traits.Warnings(), Is.EqualTo(new[] { ReplayMessages.CoarseRows(200, 50, new(5, 4.2)) }));
     }
 
     [Test]

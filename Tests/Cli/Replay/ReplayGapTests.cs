@@ -51,7 +51,7 @@ public class ReplayGapTests
 
         Assert.That(gap.GetProperty("frames").GetInt32(), Is.EqualTo(line.GetProperty("frames").GetInt32()).And.EqualTo(23 * 60 + 1 - 18));
         Assert.That(gap.GetProperty("rms").GetDouble(), Is.EqualTo(line.GetProperty("rms").GetDouble()).Within(1e-9));
-        Assert.That(warnings, Has.Length.EqualTo(1).And.Some.Contain(ReplayMessages.Gaps(1, 0.5, 3)));
+        Assert.That(warnings, Has.Length.EqualTo(1).And.Some.Contain(ReplayMessages.Gaps(new(1, 3))));
         Assert.That(none, Is.Empty);
     }
 
@@ -60,7 +60,7 @@ public class ReplayGapTests
     {
         var (_, warnings) = await Replay(Motion("t_s,x,y,z,qx,qy,qz,qw", Shift));
 
-        Assert.That(warnings, Has.Length.EqualTo(1).And.Some.Contain(ReplayMessages.Gaps(1, 0.5, 3)));
+        Assert.That(warnings, Has.Length.EqualTo(1).And.Some.Contain(ReplayMessages.Gaps(new(1, 3))));
     }
 
     [Test]
@@ -77,5 +77,13 @@ public class ReplayGapTests
         var (_, warnings) = await Replay(Motion("t,a", Swing, interval: 0.5));
 
         Assert.That(warnings, Has.Length.EqualTo(1).And.Some.Contain(ReplayMessages.CoarseRows(500, 50)));
+    }
+
+    [Test]
+    public async Task Replay_CoarseRowsWithAGap_WarnsOnce()
+    {
+        var (_, warnings) = await Replay(Motion("t,a", Swing, interval: 0.2));
+
+        Assert.That(warnings, Has.Length.EqualTo(1).And.Some.Contain(ReplayMessages.CoarseRows(200, 50, new(1, 3))));
     }
 }
