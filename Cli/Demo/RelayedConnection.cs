@@ -36,13 +36,9 @@ sealed class RelayedConnection : IDisposable
     static void Read(TcpClient from, PathDelay delay, BlockingCollection<Piece> underway)
     {
         var buffer = new byte[64 * 1024];
-        var due = 0L;
+        var times = new PacketTimes(delay);
         for (int read; (read = from.GetStream().Read(buffer)) > 0;)
-        {
-            // Keeps the order: a piece is never due before an earlier one.
-            due = Math.Max(due, Stopwatch.GetTimestamp() + (long)(delay.Next().TotalSeconds * Stopwatch.Frequency));
-            underway.Add(new Piece(buffer[..read], due));
-        }
+            underway.Add(new Piece(buffer[..read], times.DueAt(Stopwatch.GetTimestamp())));
     }
 
     static void Write(TcpClient to, BlockingCollection<Piece> underway)
