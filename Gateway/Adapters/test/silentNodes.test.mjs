@@ -28,7 +28,7 @@ function server(answers = [good(1), good(2)]) {
         return cell.refusal;
       },
     },
-    { nodes: ['n0', 'n1'], lose: (node, { reason, text }) => cell.lost.push([node, reason, text]), refuse: (node, { reason }) => cell.refused.push([node, reason]), expectFirst: () => {}, hasEnded: node => cell.ended.has(node) },
+    { map: { nodes: ['n0', 'n1'] }, lose: (node, { reason, text }) => cell.lost.push([node, reason, text]), refuse: (node, { reason }) => cell.refused.push([node, reason]), expectFirst: () => {}, hasEnded: node => cell.ended.has(node) },
     ['0', '1'], node => `joints[${node}].node`, () => cell.now);
   cell.hear = (node, value) => cell.nodes.heard([{ node, value }]);
   cell.look = async () => {

@@ -7,6 +7,7 @@ import { type Nanoseconds, ofMilliseconds } from '../times';
 import { clockOf } from './clockReader';
 import { unitNotice } from './engineeringUnits';
 import { byNumber, isByUri, NAMESPACES, NO_NODE } from './nodeIds';
+import type { NodeMap } from './nodeMap';
 import { reasonNotMonitored } from './nodeValues';
 import { NotificationReader } from './notificationReader';
 import { type Monitoring, ReadOnlySession } from './readOnlySession';
@@ -72,6 +73,7 @@ async function attempt(
   reader: NotificationReader,
 ): Promise<boolean> {
   const { status, stopping } = context;
+  const { map } = reader;
   const session = new ReadOnlySession(settings, own, trust);
   trust.refusal = null;
   const stop = (): void => void session.close();
@@ -79,15 +81,15 @@ async function attempt(
   let isConnected = false;
   try {
     await session.open(identity(settings));
-    const { ids: nodes, lost } = await idsOf(session, context, reader);
+    const { ids: nodes, lost } = await idsOf(session, map);
     const serverSilence = new ServerSilence();
     await context.clock.attach(await clockOf(session, settings, settings.time === null ? null : nodes.at(-1)!, context.log), stopping);
     reader.restart();
     const silent = new SilentNodes(
       session,
       reader,
-      reader.valueNodes.map((_, i) => nodes[i]),
-      node => whereIs(context, reader.nodes[node]),
+      map.valueNodes.map((_, i) => nodes[i]),
+      node => map.whereIs(node),
     );
     reader.stopOf = node => silent.stopOf(node);
     const monitoring = await session.monitor(
@@ -103,8 +105,8 @@ async function attempt(
     const delayMs = (silent.delayMs = delayOf(monitoring));
     silent.silentMs = silentAfterMs(monitoring);
     context.output.unconfirmedMs = unconfirmedAfterMs(delayMs);
-    refuseUnknown(context, reader, silent, monitoring.refusals, lost);
-    if (reader.nodes.length > 0) {
+    refuseUnknown(map, silent, monitoring.refusals, lost);
+    if (map.nodes.length > 0) {
       status.detail('sampling_ms', monitoring.samplingMs);
       const hasPositions = context.configuration.values.some(({ path }) => path[0] !== 'signals');
       status.notice(hasPositions ? slownessOf(settings, monitoring) : null, 'server intervals');
@@ -113,14 +115,14 @@ async function attempt(
     isConnected = true;
     status.enter('connected');
     // Does not wait, because a server may not answer this request.
-    const ids = new Map(reader.valueNodes.map((node, i) => [node, nodes[i]]));
+    const ids = new Map(map.valueNodes.map((node, i) => [node, nodes[i]]));
     void unitNotice(session, context.configuration.values, ids).then(
       text => status.notice(text, 'engineering units'),
       () => {},
     );
     const lag = ofMilliseconds(STAMP_LAG_MS + monitoring.samplingMs);
     const look = async (time: Nanoseconds | null): Promise<void> => {
-      if (lost.size > 0 && String((await idsOf(session, context, reader)).ids) !== String(nodes)) throw new Error(nodeMessages.otherNamespaces);
+      if (lost.size > 0 && String((await idsOf(session, map)).ids) !== String(nodes)) throw new Error(nodeMessages.otherNamespaces);
       const unchanged = await silent.read();
       if (time !== null) reader.holdNodes(time - lag, unchanged);
     };
@@ -149,42 +151,28 @@ function slownessOf({ samplingMs, publishingMs }: OpcUaSettings, granted: Monito
  * have, with the reason, so that the other nodes can still be read.
  * @throws Refused The server has the namespace of none of the values, or not that of the time variable.
  */
-async function idsOf(
-  session: ReadOnlySession,
-  context: AdapterContext,
-  reader: NotificationReader,
-): Promise<{ ids: string[]; lost: Map<number, string> }> {
-  const { nodes, valueNodes } = reader;
+async function idsOf(session: ReadOnlySession, map: NodeMap): Promise<{ ids: string[]; lost: Map<number, string> }> {
+  const { nodes, valueNodes } = map;
   if (!nodes.some(isByUri)) return { ids: nodes, lost: new Map() };
   const { value } = await session.read(NAMESPACES);
   const namespaces = Array.isArray(value.value) ? (value.value as string[]) : [];
   const found = nodes.map(node => byNumber(node, namespaces));
   const lost = new Map<number, string>();
-  for (const [i, id] of found.entries()) if (id === undefined) lost.set(i, nodeMessages.noNamespace(whereIs(context, nodes[i]), nodes[i]));
+  for (const [i, id] of found.entries()) if (id === undefined) lost.set(i, nodeMessages.noNamespace(map.whereIs(i), nodes[i]));
   const inWords = (problems: string): string => nodeMessages.namespaces(problems, namespaces);
   if (lost.has(valueNodes.length) || (lost.size > 0 && lost.size >= valueNodes.length)) throw new Refused(inWords([...lost.values()].join('; ')));
   return { ids: found.map(id => id ?? NO_NODE), lost: new Map([...lost].map(([i, problem]) => [i, inWords(problem)])) };
-}
-
-function whereIs({ configuration }: AdapterContext, node: string): string {
-  const value = configuration.values.find(({ address }) => address.node === node);
-  return configuration.where(value === undefined ? ['plant', 'time', 'node'] : [...value.path, 'node']);
 }
 
 /**
  * Reports the configured values whose nodes the server does not have, so that the other nodes can still be read.
  * @throws Refused The server does not have the time variable, or none of the values.
  */
-function refuseUnknown(
-  context: AdapterContext,
-  { nodes, valueNodes }: NotificationReader,
-  silent: SilentNodes,
-  refusals: (string | null)[],
-  lost: Map<number, string>,
-): void {
+function refuseUnknown(map: NodeMap, silent: SilentNodes, refusals: (string | null)[], lost: Map<number, string>): void {
+  const { nodes, valueNodes } = map;
   const wrong = refusals.flatMap((refusal, node) => {
     if (refusal === null) return [];
-    const text = lost.get(node) ?? nodeMessages.unknown(whereIs(context, nodes[node]), nodes[node], refusal);
+    const text = lost.get(node) ?? nodeMessages.unknown(map.whereIs(node), nodes[node], refusal);
     return [{ node, reason: reasonNotMonitored(refusal), text }];
   });
   if (wrong.some(({ node }) => node >= valueNodes.length) || (wrong.length > 0 && wrong.length >= valueNodes.length))

@@ -4,7 +4,8 @@ import type { PlantValue } from '../samples/plantOutput';
 import type { Refusal } from '../samples/stampRule';
 import { ofMilliseconds, type Nanoseconds } from '../times';
 import type { DataValue } from 'node-opcua-client';
-import { isGone, isOverflown, NODE_GONE, type NodeAddress, statusRefusal, valueOf } from './nodeValues';
+import { NodeMap } from './nodeMap';
+import { isGone, isOverflown, NODE_GONE, statusRefusal, valueOf } from './nodeValues';
 import type { NodeValue } from './readOnlySession';
 import type { OpcUaSettings } from './kind';
 import { serverStamp, sourceStamp, timeIn } from './stamps';
@@ -16,12 +17,7 @@ const MIN_TOLERANCE_MS = 0.5;
 
 /** Converts notifications of the server to plant values. */
 export class NotificationReader {
-  /** All nodes to read, each once. The time variable is the last one. */
-  readonly nodes: string[];
-  /** All nodes except the time variable. */
-  readonly valueNodes: string[];
-  readonly #addresses: NodeAddress[];
-  readonly #readers: number[][];
+  readonly map: NodeMap;
   readonly #time: TimeVariable | null;
   /** Nodes whose newest value in this connection was good. The next value of any other node may be old. */
   readonly #received = new Set<number>();
@@ -35,11 +31,7 @@ export class NotificationReader {
     readonly context: Pick<AdapterContext, 'configuration' | 'output' | 'status' | 'clock'>,
     readonly settings: OpcUaSettings,
   ) {
-    this.#addresses = context.configuration.values.map(({ address }) => address as NodeAddress);
-    const nodes = [...new Set(this.#addresses.map(address => address.node))];
-    this.#readers = nodes.map(node => this.#addresses.flatMap((address, i) => (address.node === node ? [i] : [])));
-    this.valueNodes = nodes;
-    this.nodes = settings.time === null ? nodes : [...nodes, settings.time.node];
+    this.map = new NodeMap(context.configuration, settings.time?.node ?? null);
     const tolerance = ofMilliseconds(Math.max(settings.groupMs, MIN_TOLERANCE_MS));
     this.#time = settings.time === null ? null : new TimeVariable(tolerance);
   }
@@ -58,13 +50,13 @@ export class NotificationReader {
   }
 
   read(values: NodeValue[]): void {
-    const timeNode = this.#readers.length;
+    const timeNode = this.map.valueNodes.length;
     // Reads the times first, because the values of a cycle may precede its time in a notification.
     const times = values.filter(v => v.node === timeNode).flatMap(({ value }) => this.#cycleTimeIn(value) ?? []);
     this.#time?.learn(times);
     const found = values.filter(v => v.node < timeNode).flatMap(({ node, value }) => this.#valuesOf(node, value));
     // Confirms unchanged values up to the time of the previous notification. Earlier changes would be in this notification.
-    if (this.#known !== null) this.hold(this.#known, new Set(values.filter(v => v.node < timeNode).flatMap(v => this.#readers[v.node])));
+    if (this.#known !== null) this.hold(this.#known, new Set(values.filter(v => v.node < timeNode).flatMap(v => this.map.valuesOf(v.node))));
     this.context.output.publish(found);
     this.#note(this.#time === null ? found.filter(({ refusal }) => refusal === undefined).map(({ stamp }) => stamp) : times.map(({ time }) => time));
   }
@@ -76,28 +68,28 @@ export class NotificationReader {
 
   /** Confirms that these nodes, and no others, still had their last value at a control time. */
   holdNodes(time: Nanoseconds, nodes: ReadonlySet<number>): void {
-    this.hold(time, new Set(this.#readers.flatMap((values, node) => (nodes.has(node) ? [] : values))));
+    this.hold(time, new Set(this.map.valueNodes.flatMap((_, node) => (nodes.has(node) ? [] : this.map.valuesOf(node)))));
   }
 
   /** Reports that the server does not have this node, or does not monitor it. */
   lose(node: number, refusal: Refusal): void {
     this.#countLost(node, refusal.reason);
-    for (const value of this.#readers[node]) this.context.output.lose(value, refusal);
+    for (const value of this.map.valuesOf(node)) this.context.output.lose(value, refusal);
   }
 
   /** Reports that the value of this node is invalid. */
   refuse(node: number, refusal: Refusal): void {
-    for (const value of this.#readers[node]) this.context.output.refuse(value, refusal);
+    for (const value of this.map.valuesOf(node)) this.context.output.refuse(value, refusal);
   }
 
   /** Sets the function that returns the phase in which the source stopped writing a node, or null if it has not stopped. */
   set stopOf(stopOf: (node: number) => SourceStop | null) {
-    this.context.output.sourceStopOf = value => stopOf(this.#readers.findIndex(values => values.includes(value)));
+    this.context.output.sourceStopOf = value => stopOf(this.map.nodeOf(value));
   }
 
   /** Whether the data of a joint that is read from this node have ended during a motion. */
   hasEnded(node: number): boolean {
-    return this.#readers[node].some(value => this.context.output.hasEnded(value));
+    return this.map.valuesOf(node).some(value => this.context.output.hasEnded(value));
   }
 
   /** Marks the next value of this node as the first of a new monitored item. */
@@ -128,9 +120,9 @@ export class NotificationReader {
     const { status } = this.context;
     if (isOverflown(value.statusCode)) status.count('overflow');
     if (isGone(value.statusCode)) {
-      const refusal = { reason: NODE_GONE, text: nodeMessages.missing(this.nodes[node], value.statusCode.name) };
+      const refusal = { reason: NODE_GONE, text: nodeMessages.missing(this.map.nodes[node], value.statusCode.name) };
       this.#countLost(node, refusal.reason);
-      return this.#readers[node].map(index => ({ index, value: null, stamp: null, refusal, isLost: true }));
+      return this.map.valuesOf(node).map(index => ({ index, value: null, stamp: null, refusal, isLost: true }));
     }
     this.#lost.delete(node);
     const isFirst = !this.#received.has(node) && this.#hasStamp(value);
@@ -140,8 +132,8 @@ export class NotificationReader {
     else this.#received.delete(node);
     const stamp = bad === null ? this.#stampOf(value) : null;
     const refusal = bad ?? (stamp === null && !isFirst && this.#time !== null && this.#hasStamp(value) ? this.#unmatched : null);
-    return this.#readers[node].map((index): PlantValue => {
-      const found = refusal ?? valueOf(this.#addresses[index], value);
+    return this.map.valuesOf(node).map((index): PlantValue => {
+      const found = refusal ?? valueOf(this.map.addressOf(index), value);
       if ('value' in found) return { index, value: found.value, stamp, isFirst };
       return { index, value: null, stamp, refusal: found };
     });

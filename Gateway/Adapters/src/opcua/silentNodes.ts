@@ -89,7 +89,7 @@ export class SilentNodes {
   async #isUnchanged(node: number, value: DataValue): Promise<boolean> {
     const state = this.#nodes[node];
     if (isGone(value.statusCode)) {
-      const text = nodeMessages.gone(this.nameOf(node), this.reader.nodes[node], value.statusCode.name);
+      const text = nodeMessages.gone(this.nameOf(node), this.reader.map.nodes[node], value.statusCode.name);
       if (!state.isGone) this.refused(node, { reason: NODE_GONE, text });
       return false;
     }
