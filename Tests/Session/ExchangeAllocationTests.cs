@@ -11,7 +11,7 @@ public class ExchangeAllocationTests
     [Test]
     public void Estimate_FullHistory_AllocatesNothing()
     {
-        var estimator = new EnvelopeClockEstimator();
+        var estimator = new DefaultClockEstimator();
         var (up, down) = (NetworkProfile.BusyWifi.Up(1), NetworkProfile.BusyWifi.Down(2));
         var allocated = 0L;
         for (var i = 0; i < 1500; i++)
@@ -32,7 +32,7 @@ public class ExchangeAllocationTests
     [Test]
     public void Follow_Correction_AllocatesNothing()
     {
-        var clock = new ClockSynchroniser(new EnvelopeClockEstimator(), ClockSettings.Default);
+        var clock = new ClockSynchroniser(new DefaultClockEstimator(), ClockSettings.Default);
         var display = new DisplayClock();
         var allocated = 0L;
         for (var i = 0; i < 2000; i++)

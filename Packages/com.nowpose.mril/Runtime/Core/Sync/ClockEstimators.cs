@@ -9,7 +9,7 @@ namespace Nowpose.Sync
     /// <summary>Creates clock estimators by the names used in settings and on command lines.</summary>
     static class ClockEstimators
     {
-        /// <summary>Name of the default estimator, <see cref="EnvelopeClockEstimator"/>.</summary>
+        /// <summary>Name of the default estimator, <see cref="DefaultClockEstimator"/>.</summary>
         public const string Default = "default";
 
         /// <summary>Name of the paper's estimator, <see cref="RansacClockEstimator"/>.</summary>
@@ -25,7 +25,7 @@ namespace Nowpose.Sync
         {
             switch (name)
             {
-                case Default: return new EnvelopeClockEstimator();
+                case Default: return new DefaultClockEstimator();
                 case Ransac: return new RansacClockEstimator(ransac ?? RansacSettings.Paper);
                 default: throw new InputException(ClockMessages.UnknownEstimator(name, string.Join(", ", Names)));
             }

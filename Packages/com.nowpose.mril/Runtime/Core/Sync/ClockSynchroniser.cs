@@ -5,7 +5,7 @@ namespace Nowpose.Sync
 {
     /// <summary>Maintains the clock model. Thread-safe: exchanges can be added and the model can be read on any thread.</summary>
     /// <remarks>
-    /// These classes detect changes, in this order. The last three belong to the <see cref="EnvelopeClockEstimator"/>, which only exchanges without a
+    /// These classes detect changes, in this order. The last three belong to the <see cref="DefaultClockEstimator"/>, which only exchanges without a
     /// detected clock change reach.
     /// <list type="number">
     /// <item><see cref="ClockStepDetector"/>: steps that contradict the bounds of recent exchanges, corrections by the server, other resolutions. It

@@ -26,7 +26,7 @@ namespace Nowpose.Tests.Core.Sync
             for (var seed = FirstSeed; seed < FirstSeed + 4; seed++)
             {
                 var link = new SimulatedLink(NetworkProfile.Named(network), seed, skewPpm: 20);
-                var run = new SyncRun(new EnvelopeClockEstimator());
+                var run = new SyncRun(new DefaultClockEstimator());
                 run.Run(link, 0, 60);
                 for (var second = 60; second < 120; second++)
                 {
@@ -68,7 +68,7 @@ namespace Nowpose.Tests.Core.Sync
         {
             const double Interval = 0.2;
             var link = new SimulatedLink(NetworkProfile.Named("wifi"), seed, skewPpm: 20);
-            var run = new SyncRun(new EnvelopeClockEstimator());
+            var run = new SyncRun(new DefaultClockEstimator());
             run.Run(link, 0, 60);
             for (var exchange = 0; exchange < 300; exchange++)
             {

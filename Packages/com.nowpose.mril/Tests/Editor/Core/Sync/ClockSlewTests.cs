@@ -47,7 +47,7 @@ namespace Nowpose.Tests.Core.Sync
         {
             const double Interval = 0.2;
             var link = new SimulatedLink(NetworkProfile.Named(network), seed, skewPpm: 20);
-            var run = new SyncRun(new EnvelopeClockEstimator());
+            var run = new SyncRun(new DefaultClockEstimator());
             run.Run(link, 0, 120);
             for (var exchange = 0; exchange < 300; exchange++)
             {

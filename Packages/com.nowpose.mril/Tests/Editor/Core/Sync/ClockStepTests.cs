@@ -35,7 +35,7 @@ namespace Nowpose.Tests.Core.Sync
             for (var seed = FirstSeed; seed < FirstSeed + Seeds; seed++)
             {
                 var link = Link(network, seed);
-                var run = new SyncRun(new EnvelopeClockEstimator());
+                var run = new SyncRun(new DefaultClockEstimator());
                 run.Run(link, 0, 90);
                 link.Step = Lengths.Ms(stepMs);
                 run.Run(link, 90, 90 + limitSeconds);
@@ -57,7 +57,7 @@ namespace Nowpose.Tests.Core.Sync
             for (var seed = FirstSeed; seed < FirstSeed + Seeds; seed++)
             {
                 var link = Link("busy-wifi", seed, isLoaded: true);
-                var run = new SyncRun(new EnvelopeClockEstimator());
+                var run = new SyncRun(new DefaultClockEstimator());
                 run.Run(link, 0, 120);
                 link.Step = Lengths.Ms(seed % 2 == 0 ? 10 : -10);
                 run.Run(link, 120, 126);
@@ -72,7 +72,7 @@ namespace Nowpose.Tests.Core.Sync
         public void Step_ExchangesWithLongIntervals_IsDetectedByTheThird()
         {
             var link = Link("lan", FirstSeed);
-            var run = new SyncRun(new EnvelopeClockEstimator());
+            var run = new SyncRun(new DefaultClockEstimator());
             run.Run(link, 0, 90);
             link.Step = Lengths.Ms(20);
             run.Run(link, 90, 90 + 3 * 12, intervalSeconds: 12);
@@ -87,7 +87,7 @@ namespace Nowpose.Tests.Core.Sync
             for (var seed = FirstSeed; seed < FirstSeed + 20; seed++)
             {
                 var link = Link("wifi", seed);
-                var run = new SyncRun(new EnvelopeClockEstimator());
+                var run = new SyncRun(new DefaultClockEstimator());
                 run.Run(link, 0, 90);
                 link.Step = Lengths.Ms(seed % 2 == 0 ? 0.5 : -0.5);
                 run.Run(link, 90, 96);
@@ -103,7 +103,7 @@ namespace Nowpose.Tests.Core.Sync
             for (var seed = FirstSeed; seed < FirstSeed + Seeds; seed++)
             {
                 var link = Link("wifi", seed);
-                var run = new SyncRun(new EnvelopeClockEstimator());
+                var run = new SyncRun(new DefaultClockEstimator());
                 run.Run(link, 0, 90);
                 link.Step = TimeSpan.FromMilliseconds(2);
                 run.Run(link, 90, 95);
@@ -117,7 +117,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase("busy-wifi", true)]
         public void Steps_HourWithoutAStep_AreZeroAndTheBoundHolds(string network, bool isLoaded)
         {
-            var run = new SyncRun(new EnvelopeClockEstimator());
+            var run = new SyncRun(new DefaultClockEstimator());
 
             run.Run(Link(network, FirstSeed, isLoaded), 0, 3600);
 
@@ -134,7 +134,7 @@ namespace Nowpose.Tests.Core.Sync
             for (var seed = FirstSeed; seed < FirstSeed + Seeds; seed++)
             {
                 var link = Link(network, seed);
-                var run = new SyncRun(new EnvelopeClockEstimator());
+                var run = new SyncRun(new DefaultClockEstimator());
                 run.Run(link, 0, 60);
                 link.LongerUpMs = upMs;
                 run.Run(link, 60, 120);
@@ -160,7 +160,7 @@ namespace Nowpose.Tests.Core.Sync
                 var link = Link(network, seed);
                 if (isUpLonger) link.LongerDownMs = shorter;
                 else link.LongerUpMs = shorter;
-                var run = new SyncRun(new EnvelopeClockEstimator());
+                var run = new SyncRun(new DefaultClockEstimator());
                 run.Run(link, 0, 90);
                 (link.LongerUpMs, link.LongerDownMs) = isUpLonger ? (longer, 0.0) : (0.0, longer);
                 run.Run(link, 90, 120);
@@ -177,7 +177,7 @@ namespace Nowpose.Tests.Core.Sync
         {
             var link = Link("wifi", FirstSeed);
             link.LongerDownMs = 4;
-            var run = new SyncRun(new EnvelopeClockEstimator());
+            var run = new SyncRun(new DefaultClockEstimator());
             run.Run(link, 0, 90);
             (link.LongerUpMs, link.LongerDownMs) = (4, 0);
             run.Run(link, 90, 120);
@@ -191,7 +191,7 @@ namespace Nowpose.Tests.Core.Sync
         {
             foreach (var network in NetworkProfile.All)
             {
-                var run = new SyncRun(new EnvelopeClockEstimator());
+                var run = new SyncRun(new DefaultClockEstimator());
                 run.Run(Link(network.Name, FirstSeed), 0, 60);
                 // The clock of the other machine also has another epoch.
                 run.Run(new SimulatedLink(network, FirstSeed + 1, skewPpm, controlEpoch: 5000), 60, 180);

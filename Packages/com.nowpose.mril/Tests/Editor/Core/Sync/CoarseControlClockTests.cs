@@ -39,7 +39,7 @@ namespace Nowpose.Tests.Core.Sync
         {
             var seed = 700 + (int)skewPpm;
             var link = new SimulatedLink(NetworkProfile.Named(network), seed, skewPpm) { Resolution = Lengths.Ms(resolutionMs) };
-            var run = new SyncRun(new EnvelopeClockEstimator());
+            var run = new SyncRun(new DefaultClockEstimator());
 
             run.Run(link, 0, 120);
 

@@ -27,7 +27,7 @@ namespace Nowpose.Tests.Core.Sync
             _latestMs = latestMs;
         }
 
-        public ClockSynchroniser Clock { get; } = new ClockSynchroniser(new EnvelopeClockEstimator(), ClockSettings.Default);
+        public ClockSynchroniser Clock { get; } = new ClockSynchroniser(new DefaultClockEstimator(), ClockSettings.Default);
         public List<(double At, double PauseMs)> Exchanges { get; } = new List<(double, double)>();
         public List<(double At, double ErrorMs, double BoundMs)> Errors { get; } = new List<(double, double, double)>();
 

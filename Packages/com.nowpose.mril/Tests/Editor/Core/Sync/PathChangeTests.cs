@@ -22,7 +22,7 @@ namespace Nowpose.Tests.Core.Sync
 
         static SyncRun Run(SimulatedLink link, double upMs, double downMs, double? backAfter = null)
         {
-            var run = new SyncRun(new EnvelopeClockEstimator());
+            var run = new SyncRun(new DefaultClockEstimator());
             run.Run(link, 0, ChangeAt);
             (link.LongerUpMs, link.LongerDownMs) = (upMs, downMs);
             run.Run(link, ChangeAt, ChangeAt + (backAfter ?? 120));
@@ -125,7 +125,7 @@ namespace Nowpose.Tests.Core.Sync
             for (var seed = FirstSeed; seed < FirstSeed + Seeds; seed++)
             {
                 var link = Link(network, seed);
-                var run = new SyncRun(new EnvelopeClockEstimator());
+                var run = new SyncRun(new DefaultClockEstimator());
                 run.Run(link, 0, ChangeAt);
                 link.LongerDownMs = changeMs;
                 run.Run(link, ChangeAt, ChangeAt + 300);
@@ -148,7 +148,7 @@ namespace Nowpose.Tests.Core.Sync
             {
                 var link = Link(network, seed);
                 link.LongerUpMs = changeMs;
-                var run = new SyncRun(new EnvelopeClockEstimator());
+                var run = new SyncRun(new DefaultClockEstimator());
                 run.Run(link, 0, ChangeAt);
                 link.LongerUpMs = 0;
                 run.Run(link, ChangeAt, ChangeAt + 120);

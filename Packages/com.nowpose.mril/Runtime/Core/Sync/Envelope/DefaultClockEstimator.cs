@@ -11,7 +11,7 @@ namespace Nowpose.Sync.Envelope
     /// An offset according to Eq. (5) of the paper is the mean of a request's and a reply's bound, and is wrong if either packet is late. This
     /// estimator uses requests and replies separately. An asymmetry of the minimum delays is not observable; the error bound includes it.
     /// </remarks>
-    sealed class EnvelopeClockEstimator : IClockEstimator
+    sealed class DefaultClockEstimator : IClockEstimator
     {
         /// <summary>
         /// History: maximum number of exchanges that are used, which is three minutes at five exchanges per second. HistorySeconds: their maximum
@@ -74,7 +74,7 @@ namespace Nowpose.Sync.Envelope
         HeadsetTime _start;
         int _exchanges;
 
-        public EnvelopeClockEstimator()
+        public DefaultClockEstimator()
         {
             _fit = new EnvelopeFit(_below, _above);
             _up = new MinDelay(1, _history);

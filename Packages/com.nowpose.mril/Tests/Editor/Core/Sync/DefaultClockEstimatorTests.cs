@@ -10,7 +10,7 @@ namespace Nowpose.Tests.Core.Sync
     /// <summary>
     /// Compares the default estimator with the paper's estimator on the same exchanges. The constants were chosen with other seeds.
     /// </summary>
-    public class EnvelopeClockEstimatorTests
+    public class DefaultClockEstimatorTests
     {
         const int FirstSeed = 100, Seeds = 4;
 
@@ -110,7 +110,7 @@ namespace Nowpose.Tests.Core.Sync
         public void Error_ChangingExchangeInterval_StaysSmall()
         {
             var link = Link("wifi", FirstSeed);
-            var run = new SyncRun(new EnvelopeClockEstimator());
+            var run = new SyncRun(new DefaultClockEstimator());
             run.Run(link, 0, 5, intervalSeconds: 0.05);
             run.Run(link, 5, 60);
             run.Run(link, 60, 240, intervalSeconds: 1);
@@ -123,7 +123,7 @@ namespace Nowpose.Tests.Core.Sync
         public void Skew_SymmetricPathWithoutJitter_IsExact()
         {
             const double skewPpm = 50;
-            var estimator = new EnvelopeClockEstimator();
+            var estimator = new DefaultClockEstimator();
             for (var i = 0; i < 600; i++)
             {
                 var t1 = HeadsetTime.FromSeconds(1e5 + i * 0.2);
@@ -155,7 +155,7 @@ namespace Nowpose.Tests.Core.Sync
         [Test]
         public void Line_AfterRestart_IsEmptyAndStartsWithTheEarlierSkew()
         {
-            var estimator = new EnvelopeClockEstimator();
+            var estimator = new DefaultClockEstimator();
             var link = Link("lan", FirstSeed + 3);
             for (var i = 0; i < 500; i++)
                 if (link.TryExchange(HeadsetTime.FromSeconds(i * 0.2), out var exchange)) estimator.Add(exchange);
