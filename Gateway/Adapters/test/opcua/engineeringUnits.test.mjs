@@ -5,7 +5,7 @@ import { messages } from '../messages.mjs';
 import { parts } from '../parts.mjs';
 import { startProcess, until } from '../program.mjs';
 import { DataType, DataValue, EUInformation, StatusCodes, Variant } from './library.mjs';
-import { adapterFor, OPEN } from './plant.mjs';
+import { adapterFor, OPEN, serverFor } from './plant.mjs';
 import { YoubotServer } from './server.mjs';
 
 const { nodeMessages } = messages;
@@ -50,4 +50,12 @@ describe('engineering units of an OPC UA server', () => {
       assert.equal(bridge.status.level, 1);
       assert.equal(run.err.split('\n').filter(line => line.includes(notice)).length, 1);
     });
+
+  it('Adapter_ServerRefusesSeveralBrowsePathsPerRequest_ReadsTheUnitsOfAllNodesInOneRequest', async t => {
+    const limited = await serverFor(t, { pathsPerCall: 1 });
+    const { bridge } = await adapterFor(t, limited, OPEN, [{ joint: 'a', node: node('axis_1_deg') }, { joint: 'b', node: node('gripper_mm'), unit: 'm', scale: -1 }]);
+
+    await until(() => bridge.state?.notice?.includes(node('gripper_mm')), () => JSON.stringify(bridge.state));
+    assert.deepEqual([limited.asked.get('TranslateBrowsePathsToNodeIdsRequest'), limited.largestRead], [3, 2]);
+  });
 });

@@ -77,6 +77,8 @@ export class YoubotServer {
   asked = new Map();
   /** Number of read requests for the values of this server's variables. */
   valueReads = 0;
+  /** Number of nodes in the largest read request. */
+  largestRead = 0;
   /** Replaces a value before it is sent: receives the value that the server would send, and returns the value that it sends. */
   spoil = (name, sent) => sent;
   isStopped = false;
@@ -95,13 +97,14 @@ export class YoubotServer {
    * @param clockStepUs Resolution of CurrentTime in µs.
    * @param nodesPerRead Maximum number of nodes in a read request.
    * @param itemsPerCall Maximum number of nodes in a request that creates or deletes monitored items.
+   * @param pathsPerCall Maximum number of browse paths in a request that translates them.
    * @param minimumMs Minimum sampling and publishing interval in ms. On a Siemens S7-1500, 1000 ms is common.
    */
   constructor({
     port = 0, clock = new ControlClock(), security = ['none'], users = null, cycleUs = 10_000, clockStepUs = 0.1, own = null, trusted = null,
-    nodesPerRead = 1000, itemsPerCall = 1000, minimumMs = 1,
+    nodesPerRead = 1000, itemsPerCall = 1000, pathsPerCall = 1000, minimumMs = 1,
   } = {}) {
-    Object.assign(this, { nodesPerRead, itemsPerCall, minimumMs, port, clock, security, users, cycle: BigInt(cycleUs * 1000), clockStep: BigInt(clockStepUs * 1000), own, trusted });
+    Object.assign(this, { nodesPerRead, itemsPerCall, pathsPerCall, minimumMs, port, clock, security, users, cycle: BigInt(cycleUs * 1000), clockStep: BigInt(clockStepUs * 1000), own, trusted });
   }
 
   get endpoint() { return `opc.tcp://127.0.0.1:${this.port}`; }
@@ -118,7 +121,11 @@ export class YoubotServer {
       port: this.port, hostname: '127.0.0.1', host: '127.0.0.1',
       nodeset_filename: [nodeset],
       serverInfo: { applicationUri: URI },
-      serverCapabilities: { operationLimits: { maxNodesPerRead: this.nodesPerRead, maxMonitoredItemsPerCall: this.itemsPerCall } },
+      serverCapabilities: {
+        operationLimits: {
+          maxNodesPerRead: this.nodesPerRead, maxMonitoredItemsPerCall: this.itemsPerCall, maxNodesPerTranslateBrowsePathsToNodeIds: this.pathsPerCall,
+        },
+      },
       securityModes: this.security.map(mode => mode === 'none' ? MessageSecurityMode.None : MessageSecurityMode.SignAndEncrypt),
       securityPolicies: [
         ...this.security.includes('none') ? [SecurityPolicy.None] : [],
@@ -135,6 +142,7 @@ export class YoubotServer {
       const name = request.schema.name;
       this.asked.set(name, (this.asked.get(name) ?? 0) + 1);
       if (name === 'ReadRequest' && request.nodesToRead.some(({ nodeId: { namespace, value } }) => namespace === 1 && !value.endsWith?.('.EngineeringUnits'))) this.valueReads++;
+      if (name === 'ReadRequest') this.largestRead = Math.max(this.largestRead, request.nodesToRead.length);
       const atLeast = ms => Math.max(ms, this.minimumMs);
       if (name === 'CreateSubscriptionRequest') request.requestedPublishingInterval = atLeast(request.requestedPublishingInterval);
       if (name === 'CreateMonitoredItemsRequest')
