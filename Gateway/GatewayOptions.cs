@@ -31,6 +31,9 @@ public sealed record GatewayOptions
     /// </summary>
     public string ControlClock { get; init; }
 
+    /// <summary>Names of the plants' clocks that only adapters of this gateway may serve, because another source could give a wrong time.</summary>
+    public IReadOnlyCollection<string> ReservedClocks { get; init; } = [];
+
     /// <summary>TCP port of the clock synchronisation; 0 for any free port.</summary>
     public int SyncPort { get; init; } = ProtocolLimits.SyncPort;
 
@@ -142,6 +145,10 @@ public sealed record GatewayOptions
 
     /// <summary>The token of the adapters that this gateway starts. It has the role of a source and is generated at each start.</summary>
     internal string AdapterToken { get; } = Convert.ToHexString(RandomNumberGenerator.GetBytes(32));
+
+    /// <summary>Whether a token is the one of the adapters that this gateway starts.</summary>
+    /// <param name="tokenHash">Hash of the token; null for a client without a token.</param>
+    internal bool IsOwnAdapter(byte[] tokenHash) => tokenHash != null && _adapters.RoleOf(tokenHash) != null;
 
     /// <summary>Whether a token that was accepted earlier still has the same role. Tokens can be revoked while connections are open.</summary>
     /// <param name="tokenHash">Hash of the token; null for a client that connected without a token.</param>

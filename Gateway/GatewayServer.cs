@@ -49,7 +49,7 @@ public sealed class GatewayServer : IAsyncDisposable
         _unlimitedLog = log;
         _log = NewLog();
         Hub = new MessageHub();
-        PlantClocks = new PlantClocks(options.ControlClock, new StopwatchHeadsetClock());
+        PlantClocks = new PlantClocks(options.ControlClock, new StopwatchHeadsetClock(), options.ReservedClocks);
         Clock = new ServedClock(clock, PlantClocks, options.SystemClock);
         _comparison = new ClockComparison(Clock, Log);
         _access = new AccessWatch(options, Log);

@@ -13,14 +13,17 @@ public sealed class PlantClocks
 
     readonly IPerformanceCounterClock _counter;
     readonly string _wanted;
+    readonly IReadOnlyCollection<string> _reserved;
     readonly object _gate = new();
     ImmutableArray<PlantClock> _clocks = [];
 
     /// <param name="wanted">Name of the clock that is C1; null for the first one offered; <see cref="Own"/> for the gateway's own.</param>
     /// <param name="counter">This machine's counter, used as C2.</param>
-    internal PlantClocks(string wanted, IPerformanceCounterClock counter)
+    /// <param name="reserved">Names of the clocks that only adapters of this gateway may serve.</param>
+    internal PlantClocks(string wanted, IPerformanceCounterClock counter, IReadOnlyCollection<string> reserved = null)
     {
         _wanted = wanted;
+        _reserved = reserved ?? [];
         _counter = counter;
         // Added at startup, so that the status shows the clock as missing until an adapter offers it.
         if (wanted is not (null or Own)) _clocks = [new PlantClock(wanted, counter)];
@@ -41,9 +44,12 @@ public sealed class PlantClocks
     public static bool IsName(string text) =>
         text.Length is > 0 and <= 32 && text != Own && text.All(c => c is (>= 'a' and <= 'z') or (>= '0' and <= '9') or '_' or '-');
 
+    /// <summary>Whether only an adapter that this gateway has started may serve the clock with this name.</summary>
+    internal bool IsReserved(string name) => _reserved.Contains(name);
+
     /// <summary>
     /// Gets the clock with this name; creates it if necessary. At the limit, it replaces a clock that no adapter offers at present and that is not C1.
-    /// Returns null if there is none.
+    /// Returns null if there is none. The limit does not apply to reserved clocks.
     /// </summary>
     internal PlantClock Find(string name)
     {
@@ -53,7 +59,7 @@ public sealed class PlantClocks
             if (_clocks.FirstOrDefault(clock => clock.Name == name) is { } known) return known;
             // The first clock is C1, unless C1 is the gateway's own clock.
             var unused = _clocks.Length < AtMost ? null : _clocks.Skip(_wanted == Own ? 0 : 1).FirstOrDefault(clock => !clock.IsConnected);
-            if (_clocks.Length == AtMost && unused == null) return null;
+            if (_clocks.Length >= AtMost && unused == null && !IsReserved(name)) return null;
             if (unused != null) _clocks = _clocks.Remove(unused);
             added = new PlantClock(name, _counter);
             _clocks = _clocks.Add(added);

@@ -19,6 +19,14 @@ static class DropMessages
 
     public static readonly string IdTooLong = $"the id is longer than the maximum of {ProtocolLimits.KeyLength} characters; shorten it";
 
+    public static readonly string ClockTaken =
+        $"the clock {Of(DropReason.JointTaken)}; set another plant.name, or stop one of the two sources if it is not a standby";
+
+    public static string ReservedClock(string name) =>
+        $"the clock {name} is reserved for the adapter that the gateway starts for its plant (--plant); set another plant.name";
+
+    public static string TooManyClocks(int max) => $"the gateway already has {max} clocks, which is the maximum; stop clients that are not needed";
+
     /// <param name="max">Maximum number of joints on a topic, of all sources.</param>
     public static string TooManyNames(int max) =>
         $"exceeds the maximum of {max} different joints of all messages; unadvertise the topic, or connect again, to release the earlier joints";

@@ -1,6 +1,7 @@
 using System.Text;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
@@ -18,13 +19,19 @@ sealed class PlantTimeOffers(PlantClocks clocks, HubSource client, Action<ReadOn
     /// </summary>
     public PlantClock StampClock => _stampClock?.Invoke();
 
+    /// <summary>Whether this gateway has started the client, so that it may serve a reserved clock.</summary>
+    public bool IsOwnAdapter { private get; set; }
+
     /// <summary>
     /// Starts to request the time from a service of this client. If another client serves a clock of this name, the requests only measure the
-    /// clock with which this client stamps its messages, until the other client disconnects or no longer responds.
+    /// clock with which this client stamps its messages, until the other client disconnects or no longer responds. A client that the gateway has not
+    /// started never serves a reserved clock.
     /// </summary>
+    /// <param name="rule">The rule that the offer breaks; null for the text of the reason.</param>
     /// <returns>The reason why the client does not serve the clock; <see cref="DropReason.None"/> if it does.</returns>
-    public DropReason Offer(string service)
+    public DropReason Offer(string service, out string rule)
     {
+        rule = null;
         if (!service.StartsWith(RosTopics.PlantTime, StringComparison.Ordinal) || !PlantClocks.IsName(service[RosTopics.PlantTime.Length..]))
             return DropReason.UnknownService;
         var name = service[RosTopics.PlantTime.Length..];
@@ -35,14 +42,17 @@ sealed class PlantTimeOffers(PlantClocks clocks, HubSource client, Action<ReadOn
                 // There are too many clocks. Stores a clock without exchanges, so that the client's stamps are not used as times on C1.
                 var unknown = new PlantClock(name, clocks.Counter);
                 _stampClock ??= () => unknown;
+                rule = DropMessages.TooManyClocks(PlantClocks.AtMost);
                 return DropReason.OutOfRange;
             }
 
-            _offers.Add(service, offered = new Offered(clock, asked => NewCaller(asked, service)));
+            _offers.Add(service, offered = new Offered(clock, IsOwnAdapter || !clocks.IsReserved(name), asked => NewCaller(asked, service)));
             _stampClock ??= () => offered.Clock;
         }
 
-        return offered.TryServe() ? DropReason.None : DropReason.JointTaken;
+        if (offered.TryServe()) return DropReason.None;
+        rule = offered.MayServe ? DropMessages.ClockTaken : DropMessages.ReservedClock(name);
+        return DropReason.JointTaken;
     }
 
     /// <summary>Lets this client serve each clock whose previous client has disconnected or no longer responds.</summary>
@@ -80,7 +90,7 @@ sealed class PlantTimeOffers(PlantClocks clocks, HubSource client, Action<ReadOn
     { Client = client };
 
     // Another client may serve a clock of the same name but with another time. The stamps of this client are then converted with its own times.
-    sealed class Offered(PlantClock served, Func<PlantClock, PlantClockCaller> newCaller) : IDisposable
+    sealed class Offered(PlantClock served, bool mayServe, Func<PlantClock, PlantClockCaller> newCaller) : IDisposable
     {
         readonly PlantClock _own = new(served.Name, served.Counter);
         PlantClockCaller _caller;
@@ -88,14 +98,17 @@ sealed class PlantTimeOffers(PlantClocks clocks, HubSource client, Action<ReadOn
         /// <summary>The served clock if this client serves it; otherwise the clock as measured with this client only.</summary>
         public PlantClock Clock => IsServing ? served : _own;
 
+        /// <summary>Whether this client may serve the clock while no other client does.</summary>
+        public bool MayServe => mayServe;
+
         bool IsServing => _caller != null && served.IsAskedBy(_caller);
 
         /// <summary>Starts the requests if they are not running. They measure the served clock unless another client serves it.</summary>
-        /// <returns>False while another client serves the clock.</returns>
+        /// <returns>False while another client serves the clock, and always if this client may not serve it.</returns>
         public bool TryServe()
         {
             if (IsServing) return true;
-            if (served.IsFree)
+            if (mayServe && served.IsFree)
             {
                 var caller = newCaller(served);
                 if (served.TryAttach(caller, _own))

@@ -81,6 +81,7 @@ sealed class RosbridgeServer(
             KeepAliveInterval = Timeout.InfiniteTimeSpan,
         });
         PendingWebConnections.Release(context);
+        var token = accessControl.TokenHashOf(context);
         var isSource = role == Role.Source;
         // Only a source may send long messages.
         var longest = isSource ? ProtocolLimits.DescriptionBytes : ProtocolLimits.MessageBytes;
@@ -96,6 +97,7 @@ sealed class RosbridgeServer(
             hub, clock, plant, _names, role, Drops, options.QueueLength, connection.Reply, connection.Start)
         {
             Address = AddressOf(context.Connection),
+            IsOwnAdapter = options.IsOwnAdapter(token),
             MaxMessagesPerSecond = perSecond,
         };
         using var watched = access.Watch(

@@ -52,6 +52,9 @@ sealed class RosbridgeSession : IDisposable
     /// <summary>Sets the client's address, which messages contain if the client has no name.</summary>
     public string Address { set => _source.Address = value; }
 
+    /// <inheritdoc cref="PlantTimeOffers.IsOwnAdapter"/>
+    public bool IsOwnAdapter { set => _offers.IsOwnAdapter = value; }
+
     /// <summary>
     /// Removes the status that the client has reported. Call this method before <see cref="Dispose"/> if the client closed the connection normally.
     /// </summary>
@@ -84,8 +87,7 @@ sealed class RosbridgeSession : IDisposable
         _offers.Dispose();
         _subscriptions.Dispose();
         _source.Dispose();
-        if (_name != null)
-            _names.Release(_name, this);
+        if (_name != null) _names.Release(_name, this);
     }
 
     void Do(RosbridgeMessage message, long count)
@@ -185,9 +187,9 @@ sealed class RosbridgeSession : IDisposable
 
     void Offer(RosbridgeMessage message)
     {
-        var reason = _rights.MayOfferTime ? _offers.Offer(message.Service) : DropReason.NotAllowed;
-        if (reason != DropReason.None)
-            _replies.Drop(message, reason, reason == DropReason.JointTaken ? "the clock" : null);
+        var rule = default(string);
+        var reason = _rights.MayOfferTime ? _offers.Offer(message.Service, out rule) : DropReason.NotAllowed;
+        if (reason != DropReason.None) _replies.Drop(message, reason, rule);
     }
 
     void Publish(RosbridgeMessage message)

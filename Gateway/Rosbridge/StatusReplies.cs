@@ -49,16 +49,16 @@ sealed class StatusReplies(HubSource source, DropCounters drops, PublishRights r
 
     /// <summary>Reports a dropped message.</summary>
     /// <param name="message">The readable part of the message; null if nothing can be read.</param>
-    /// <param name="what">The thing to which the text of the reason applies; null if the text is complete.</param>
     /// <param name="rule">The fault as one clause; null for the text of the reason.</param>
-    public void Drop(RosbridgeMessage message, DropReason reason, string what = null, string rule = null)
+    public void Drop(RosbridgeMessage message, DropReason reason, string rule = null)
     {
         var topic = message is { Op: RosbridgeOp.Publish, RobotTopic: { IsValid: true } published } ? published : null;
         // The content is read before the role of the client is checked, but a correct message of this client would be refused too. A name without its slash
         // does not select the topic.
-        if (topic != null && message.Topic.StartsWith('/') && rights.On(topic) == DropReason.NotAllowed) (reason, what, rule) = (DropReason.NotAllowed, null, null);
+        if (topic != null && message.Topic.StartsWith('/') && rights.On(topic) == DropReason.NotAllowed)
+            (reason, rule) = (DropReason.NotAllowed, null);
         drops.Count(reason);
-        rule ??= what == null ? DropMessages.Of(reason) : $"{what} {DropMessages.Of(reason)}";
+        rule ??= DropMessages.Of(reason);
         var text = reason == DropReason.UnknownOp
             ? RequestMessages.UnknownOperation(Short(message.OpName), KnownOperations)
             : $"{Subject(message)}dropped: {rule} ({reason})";

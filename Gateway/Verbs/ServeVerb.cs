@@ -62,7 +62,11 @@ static class ServeVerb
                 stop);
             AdapterProcesses.CheckAddress(files, options, options.Certificate != null);
             var read = await AdapterProcesses.CheckAsync(files, stop);
-            options = options with { ExpectsSources = PlantFile.ExpectsJoints(read, description) };
+            options = options with
+            {
+                ExpectsSources = PlantFile.ExpectsJoints(read, description),
+                ReservedClocks = [.. read.Where(plant => plant.OffersClock).Select(plant => plant.Name)],
+            };
             foreach (var one in read) Announcement.Log(one.Summary);
             foreach (var warning in PlantFile.WarningsOf(read, options.ControlClock)) Announcement.Log(DryRunMessages.WarningLog(warning));
             if (PlantFile.MissingJoints(read, description) is { Count: > 0 } missing) Announcement.Log(DryRunMessages.MissingJointsLog(missing));

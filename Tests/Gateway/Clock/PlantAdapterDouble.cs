@@ -25,13 +25,17 @@ sealed class PlantAdapterDouble : IDisposable
 
     /// <param name="clock">Clock of the control system.</param>
     /// <param name="extra">Further fields of the response, after the two times.</param>
-    public static Task<PlantAdapterDouble> ConnectAsync(GatewayServer gateway, string name, StopwatchControlClock clock, string extra = "") =>
-        ConnectAsync(gateway, name, (id, service) => AnswerOf(id, service, clock.Now, clock.Now, extra));
+    /// <param name="token">Token of the adapter; null for none.</param>
+    public static Task<PlantAdapterDouble> ConnectAsync(
+        GatewayServer gateway, string name, StopwatchControlClock clock, string extra = "", string token = null) =>
+        ConnectAsync(gateway, name, (id, service) => AnswerOf(id, service, clock.Now, clock.Now, extra), token);
 
     /// <param name="answer">Returns the response to a request with an id and a service name; null sends no response.</param>
-    public static async Task<PlantAdapterDouble> ConnectAsync(GatewayServer gateway, string name, Func<string, string, string> answer)
+    public static async Task<PlantAdapterDouble> ConnectAsync(
+        GatewayServer gateway, string name, Func<string, string, string> answer, string token = null)
     {
-        var client = await RawRosbridgeClient.ConnectAsync(gateway);
+        var client = await RawRosbridgeClient.ConnectAsync(
+            gateway, token == null ? null : options => options.SetRequestHeader("Authorization", $"Bearer {token}"));
         var adapter = new PlantAdapterDouble(client, RosTopics.PlantTime + name, answer);
         await client.SendAsync($$"""{"op":"advertise_service","service":"{{adapter._service}}","type":"nowpose/PlantTime"}""");
         _ = adapter.AnswerAsync();
