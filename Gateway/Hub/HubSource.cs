@@ -37,16 +37,24 @@ public sealed class HubSource : IDisposable
     /// <summary>Whether the source has ended.</summary>
     internal bool IsEnded { get; private set; }
 
-    /// <summary>Publishes to all subscribers, unless a joint of the message belongs to another source.</summary>
+    /// <summary>Publishes to all subscribers, without the joints that belong to another source.</summary>
     /// <param name="receivedAt">Count of <see cref="Stopwatch"/> at which the last byte of the message was read; null for the current time.</param>
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>
-    /// <returns>A refusal with the name of the joint that belongs to another source; null if the message was published.</returns>
+    /// <returns>
+    /// A refusal with the name of the first joint that belongs to another source, or the refusal of the whole message; null if all joints were
+    /// published.
+    /// </returns>
     internal Refusal? Publish(JointStateMessage message, long? receivedAt = null, string robot = "")
     {
+        Refusal? refusal = null;
         if (!_claimed.TryGetValue(robot, out var claimed) || !message.Names.AsSpan().SequenceEqual(claimed.Names))
         {
-            if (_hub.Claim(this, robot, RosTopics.JointStates, message.Names) is { } refusal) return refusal;
-            _claimed[robot] = claimed = (message.Names, InCell(robot, message.Names), AreLong(message.Names));
+            refusal = _hub.Claim(this, robot, RosTopics.JointStates, message.Names, out var free);
+            if (free.Length == 0) return refusal;
+            message = MessageParts.Part(message, free);
+            claimed = (message.Names, InCell(robot, message.Names), AreLong(message.Names));
+            // With a refused joint, the next message is claimed again, because the joint may then be free.
+            if (refusal == null) _claimed[robot] = claimed;
             // A description is sent once. When this source takes over the joints of another source, it also takes over the description.
             if (_refused.TryGetValue(robot, out var urdf)) Describe(urdf, robot);
         }
@@ -55,7 +63,7 @@ public sealed class HubSource : IDisposable
         if (claimed.AreLong && published.IsTooLong) return new Refusal(DropReason.TooLarge, DropMessages.AsWritten);
         _hub.Samples.Set(published);
         _hub.Publish(published);
-        return null;
+        return refusal == null ? null : refusal.Value with { IsPartial = true };
     }
 
     /// <summary>
@@ -67,7 +75,7 @@ public sealed class HubSource : IDisposable
         var published = HubMessage.OfRobot(robot, RosTopics.JointTrajectory, message, this, receivedAt);
         // The message may be longer than the received one, because numbers get more digits.
         if (published.IsTooLong) return new Refusal(DropReason.TooLarge, DropMessages.AsWritten);
-        var refusal = _hub.Claim(this, robot, RosTopics.JointTrajectory, message.Names);
+        var refusal = _hub.Claim(this, robot, RosTopics.JointTrajectory, message.Names, out _);
         if (refusal == null) _hub.PublishNewest(this, published);
         return refusal;
     }
@@ -82,7 +90,7 @@ public sealed class HubSource : IDisposable
     /// <inheritdoc cref="Publish(JointStateMessage, long?, string)"/>
     internal Refusal? Describe(string urdf, string robot = "")
     {
-        var refusal = _hub.Claim(this, robot, RosTopics.RobotDescription, TheRobot);
+        var refusal = _hub.Claim(this, robot, RosTopics.RobotDescription, TheRobot, out _);
         if (refusal?.Reason == DropReason.JointTaken) _refused[robot] = urdf;
         else _refused.Remove(robot);
         if (refusal == null) _hub.PublishDescription(HubMessage.Description(urdf, robot));

@@ -12,6 +12,9 @@ sealed class JointOwners
     /// </summary>
     internal const int MaxNames = 4 * ProtocolLimits.Joints;
 
+    /// <summary>Maximum number of names of one source on a topic, so that a source with many names leaves room for the others.</summary>
+    internal const int MaxNamesOfSource = MaxNames / 2;
+
     // The number of topics is bounded by the maximum number of robots.
     readonly Dictionary<string, OwnerMap<string>> _topics = [];
 
@@ -23,42 +26,38 @@ sealed class JointOwners
 
     /// <summary>Gets the refusal of names of which one belongs to another source; null if there is none.</summary>
     public Refusal? FindTaken(HubSource source, string topic, string[] names) =>
-        _topics.TryGetValue(topic, out var owners) && Array.Find(names, name => owners.OtherThan(source, name) != null) is { } taken
-            ? new Refusal(DropReason.JointTaken, taken, owners[taken]) : null;
+        names.Select(name => OfAnotherSource(source, topic, name)).FirstOrDefault(taken => taken != null);
 
     /// <summary>
-    /// Gets the refusal of joints of which one has the cell-wide name of another robot's joint; null if there is none. The joint a/b of the robot
-    /// without a namespace and the joint b of the robot a have the same one.
+    /// Makes a source the owner of names on a robot's topic: of the free names of a joint state, and of all or none of other names. A joint is free
+    /// if no other source owns it, and if no joint of another robot has the same cell-wide name, as the joint a/b of the robot without a namespace and
+    /// the joint b of the robot a have.
     /// </summary>
-    public Refusal? FindOfAnotherRobot(string robot, string kind, string[] names)
+    /// <param name="robot">Namespace of the robot; empty if it has none.</param>
+    /// <param name="use">Records that the source publishes on the topic; returns a refusal if it cannot.</param>
+    /// <param name="claimed">The names that the source owns now; empty if the whole message is refused.</param>
+    /// <param name="taken">The names that are not free.</param>
+    /// <returns>The first refusal of a name, or that of the whole message; null if there is none.</returns>
+    public Refusal? Claim(
+        HubSource source, string robot, string kind, string[] names, Func<Refusal?> use, out string[] claimed, out IReadOnlyList<Refusal> taken)
     {
-        if (kind != RosTopics.JointStates) return null;
-        foreach (var name in names)
+        var topic = RobotTopic.NameOf(robot, kind);
+        var isStates = kind == RosTopics.JointStates;
+        var refused = new List<Refusal>();
+        var free = Array.FindAll(names, name =>
         {
-            var (otherRobot, otherName) = RobotTopic.OtherOf(robot, name);
-            if (otherName == null) continue;
-            var topic = RobotTopic.NameOf(otherRobot, kind);
-            var owner = _topics.TryGetValue(topic, out var owners) ? owners[otherName] : null;
-            if (owner != null || RobotOfListedJoint?.Invoke(RobotTopic.Qualified(robot, name)) == otherRobot)
-                return new Refusal(DropReason.JointTaken, name, owner, DropMessages.SameCellName(topic, otherName));
-        }
-
-        return null;
-    }
-
-    /// <summary>Gets the refusal of names with which the topic would have too many names; null if there is room.</summary>
-    public Refusal? FindExcess(string topic, string[] names)
-    {
-        if (!_topics.TryGetValue(topic, out var owners)) return null;
-        var isOver = owners.Count + names.Count(name => owners[name] == null) > MaxNames;
-        return isOver ? new Refusal(DropReason.TooManyJoints, topic, Rule: DropMessages.TooManyNames(MaxNames)) : null;
-    }
-
-    /// <summary>Makes a source the owner of names.</summary>
-    public void Take(HubSource source, string topic, string[] names)
-    {
+            var reason = OfAnotherSource(source, topic, name) ?? (isStates ? OfAnotherRobot(robot, name) : null);
+            if (reason != null) refused.Add(reason.Value);
+            return reason == null;
+        });
+        taken = refused;
+        claimed = [];
+        if (refused.Count > 0 && (!isStates || free.Length == 0)) return refused[0];
+        if ((FindExcess(source, topic, free) ?? use()) is { } whole) return whole;
         if (!_topics.TryGetValue(topic, out var owners)) _topics[topic] = owners = new OwnerMap<string>();
-        foreach (var name in names) owners.Take(source, name);
+        foreach (var name in free) owners.Take(source, name);
+        claimed = free;
+        return refused.Count == 0 ? null : refused[0];
     }
 
     /// <summary>Releases the names of a source.</summary>
@@ -71,5 +70,30 @@ sealed class JointOwners
             owners.Release(source, _ => true);
             if (owners.Count == 0) _topics.Remove(name);
         }
+    }
+
+    // Returns the refusal of names with which the topic or the source would have too many names; null if there is room.
+    Refusal? FindExcess(HubSource source, string topic, string[] names)
+    {
+        if (!_topics.TryGetValue(topic, out var owners)) return null;
+        var added = names.Count(name => owners[name] == null);
+        var rule = added == 0 ? null
+            : owners.Count + added > MaxNames ? DropMessages.TooManyNames(MaxNames)
+            : owners.CountOf(source) + added > MaxNamesOfSource ? DropMessages.TooManyNamesOfSource(MaxNamesOfSource) : null;
+        return rule == null ? null : new Refusal(DropReason.TooManyJoints, topic, Rule: rule);
+    }
+
+    Refusal? OfAnotherSource(HubSource source, string topic, string name) =>
+        _topics.TryGetValue(topic, out var owners) && owners.OtherThan(source, name) is { } owner
+            ? new Refusal(DropReason.JointTaken, name, owner) : null;
+
+    Refusal? OfAnotherRobot(string robot, string name)
+    {
+        var (otherRobot, otherName) = RobotTopic.OtherOf(robot, name);
+        if (otherName == null) return null;
+        var topic = RobotTopic.NameOf(otherRobot, RosTopics.JointStates);
+        var owner = _topics.TryGetValue(topic, out var owners) ? owners[otherName] : null;
+        return owner != null || RobotOfListedJoint?.Invoke(RobotTopic.Qualified(robot, name)) == otherRobot
+            ? new Refusal(DropReason.JointTaken, name, owner, DropMessages.SameCellName(topic, otherName)) : null;
     }
 }

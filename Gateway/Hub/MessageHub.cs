@@ -197,26 +197,18 @@ public sealed class MessageHub
         }
     }
 
-    /// <summary>Makes a source the owner of all names on a robot's topic, or of none if one name belongs to another source.</summary>
-    /// <param name="robot">Namespace of the robot; empty if it has none.</param>
-    /// <returns>A refusal if a name belongs to another source or robot, or if there are too many names or robots; otherwise null.</returns>
-    internal Refusal? Claim(HubSource source, string robot, string kind, string[] names)
+    /// <inheritdoc cref="JointOwners.Claim" path="/summary|/returns|/param[@name='robot' or @name='claimed']"/>
+    internal Refusal? Claim(HubSource source, string robot, string kind, string[] names, out string[] claimed)
     {
         lock (_lock)
         {
-            var topic = RobotTopic.NameOf(robot, kind);
-            if ((_owners.FindTaken(source, topic, names) ?? _owners.FindOfAnotherRobot(robot, kind, names)) is { } taken)
-            {
-                // A description that was refused is published later, see HubSource.TryDescribe.
-                if (kind == RosTopics.JointTrajectory) ReportRefused(source, robot, taken.What, taken);
-                else if (kind != RosTopics.RobotDescription && taken.Owner is { } owner)
-                    Refused?.Invoke(source, kind, RobotTopic.Qualified(robot, taken.What), owner);
-                return taken;
-            }
-
-            if ((_owners.FindExcess(topic, names) ?? Use(source, robot, kind)) is { } refusal) return refusal;
-            _owners.Take(source, topic, names);
-            return null;
+            var refusal = _owners.Claim(source, robot, kind, names, () => Use(source, robot, kind), out claimed, out var taken);
+            // A description that was refused is published later, see HubSource.TryDescribe.
+            foreach (var one in claimed.Length == 0 ? taken.Take(1) : taken)
+                if (kind == RosTopics.JointTrajectory) ReportRefused(source, robot, one.What, one);
+                else if (kind == RosTopics.JointStates && one.Owner is { } owner)
+                    Refused?.Invoke(source, kind, RobotTopic.Qualified(robot, one.What), owner);
+            return refusal;
         }
     }
 

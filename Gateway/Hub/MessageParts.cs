@@ -48,12 +48,21 @@ static class MessageParts
             return part.Count == transforms.Count ? message : message.With(part);
         }
 
-        var state = (JointStateMessage)message.Content;
         int[] kept = [.. Enumerable.Range(0, message.Joints.Length).Where(index => isIn(message.Joints[index]))];
+        return kept.Length == message.Joints.Length
+            ? message : message.With(Part((JointStateMessage)message.Content, kept), Array.ConvertAll(kept, index => message.Joints[index]));
+    }
+
+    /// <summary>Returns a message itself if it has only these joints; otherwise a message with these joints.</summary>
+    /// <param name="names">Some of the names in the message, in their order.</param>
+    public static JointStateMessage Part(JointStateMessage message, string[] names) => names.Length == message.Names.Length
+        ? message : Part(message, Array.ConvertAll(names, name => Array.IndexOf(message.Names, name)));
+
+    static JointStateMessage Part(JointStateMessage message, int[] kept)
+    {
         T[] Kept<T>(T[] all) => all == null ? null : Array.ConvertAll(kept, index => all[index]);
-        return kept.Length == message.Joints.Length ? message : message.With(
-            new JointStateMessage(state.Stamp, Kept(state.Names), Kept(state.Positions), Kept(state.Velocities), Kept(state.Accelerations), state.FrameId),
-            Kept(message.Joints));
+        return new JointStateMessage(
+            message.Stamp, Kept(message.Names), Kept(message.Positions), Kept(message.Velocities), Kept(message.Accelerations), message.FrameId);
     }
 
     /// <summary>Creates a message with some of the transforms.</summary>

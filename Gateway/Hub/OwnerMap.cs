@@ -9,6 +9,9 @@ sealed class OwnerMap<TName>
     /// <summary>Number of names that have an owner.</summary>
     public int Count => _owners.Count;
 
+    /// <summary>Gets the number of names that a source owns.</summary>
+    public int CountOf(HubSource source) => _owners.Values.Count(owner => owner == source);
+
     /// <summary>Gets the owner of a name; null if there is none.</summary>
     public HubSource this[TName name] => _owners.GetValueOrDefault(name);
 

@@ -2,11 +2,12 @@ using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Hub;
 
-/// <summary>The reason why the hub refused a message.</summary>
+/// <summary>The reason why the hub refused a message or a part of it.</summary>
 /// <param name="What">The joint, frame, signal or robot for which the message was refused.</param>
 /// <param name="Owner">The source that owns the joint, frame or signal; null if the reason is not another source.</param>
 /// <param name="Rule">The fault as one clause; null for the text of the reason.</param>
-readonly record struct Refusal(DropReason Reason, string What, HubSource Owner = null, string Rule = null);
+/// <param name="IsPartial">Whether the other joints of the message were published.</param>
+readonly record struct Refusal(DropReason Reason, string What, HubSource Owner = null, string Rule = null, bool IsPartial = false);
 
 /// <summary>
 /// A transform or a signal that was left out of a published message: its content is invalid, it breaks a limit of the cell, or it belongs to another source.

@@ -31,6 +31,11 @@ static class DropMessages
     public static string TooManyNames(int max) =>
         $"exceeds the maximum of {max} different joints of all messages; unadvertise the topic, or connect again, to release the earlier joints";
 
+    /// <param name="max">Maximum number of joints on a topic, of one source.</param>
+    public static string TooManyNamesOfSource(int max) =>
+        $"exceeds the maximum of {max} different joints of all messages of one source; unadvertise the topic, or connect again, to release the "
+        + "earlier joints";
+
     /// <param name="topic">Topic of the other joint.</param>
     /// <param name="joint">Name of the other joint on its topic.</param>
     public static string SameCellName(string topic, string joint) =>

@@ -1,6 +1,7 @@
 using System.Text;
 using NUnit.Framework;
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;
@@ -19,26 +20,54 @@ public class MessageHubTests
     }
 
     [Test]
-    public void Publish_JointOfAnotherSource_RefusesTheWholeMessage()
+    public void Publish_JointOfAnotherSource_PublishesTheOtherJoints()
+    {
+        using var first = _hub.OpenSource();
+        using var second = _hub.OpenSource();
+        first.Publish(Gateways.State(1, "a", "b"));
+        var state = new JointStateMessage(Gateways.Start, ["c", "b", "d"], [2, 3, 4], [5, 6, 7], [8, 9, 10]);
+
+        Assert.That(second.Publish(state), Is.EqualTo(new Refusal(DropReason.JointTaken, "b", first, IsPartial: true)));
+        var published = (JointStateMessage)_received[^1].Content;
+        Assert.That(published.Names, Is.EqualTo(new[] { "c", "d" }));
+        double[][] numbers = [published.Positions, published.Velocities, published.Accelerations];
+        Assert.That(numbers, Is.EqualTo(new double[][] { [2, 4], [5, 7], [8, 10] }));
+
+        first.Dispose();
+        Assert.That(second.Publish(state), Is.Null);
+        Assert.That(((JointStateMessage)_received[^1].Content).Names, Is.EqualTo(state.Names));
+    }
+
+    [Test]
+    public void Publish_AllJointsOfAnotherSource_RefusesTheMessage()
     {
         using var first = _hub.OpenSource();
         using var second = _hub.OpenSource();
         first.Publish(Gateways.State(1, "a", "b"));
 
-        Assert.That(second.Publish(Gateways.State(2, "c", "b"))?.What, Is.EqualTo("b"));
+        Assert.That(second.Publish(Gateways.State(2, "b", "a")), Is.EqualTo(new Refusal(DropReason.JointTaken, "b", first)));
         Assert.That(_received.Count, Is.EqualTo(1));
+    }
 
-        // The hub has reserved no joints of the refused message for its source.
-        using var third = _hub.OpenSource();
-        Assert.That(third.Publish(Gateways.State(3, "c")), Is.Null);
+    [Test]
+    public void Publish_OneSourceWithOtherJointsInEachMessage_LeavesRoomForOtherSources()
+    {
+        using var source = _hub.OpenSource();
+        using var other = _hub.OpenSource();
+        for (var i = 0; i < JointOwners.MaxNames; i++) source.Publish(Gateways.State(i + 1, "joint" + i));
+
+        Assert.That(source.Publish(Gateways.State(2, "one more"))?.Rule, Is.EqualTo(DropMessages.TooManyNamesOfSource(JointOwners.MaxNamesOfSource)));
+        Assert.That(other.Publish(Gateways.State(2, "one more")), Is.Null);
     }
 
     [Test]
     public void Publish_OtherJointsInEachMessage_IsRefusedAboveTheMaximumUntilTheTopicIsReleased()
     {
-        using var source = _hub.OpenSource();
+        HubSource[] sources = [_hub.OpenSource(), _hub.OpenSource()];
         using var other = _hub.OpenSource();
-        for (var i = 0; i < JointOwners.MaxNames; i++) Assert.That(source.Publish(Gateways.State(i + 1, "joint" + i)), Is.Null);
+        for (var i = 0; i < JointOwners.MaxNames; i++)
+            Assert.That(sources[i / JointOwners.MaxNamesOfSource].Publish(Gateways.State(i + 1, "joint" + i)), Is.Null);
+        var source = sources[0];
 
         Assert.That(source.Publish(Gateways.State(2, "joint0", "one more"))?.Reason, Is.EqualTo(DropReason.TooManyJoints));
         Assert.That(other.Publish(Gateways.State(2, "one more"))?.Reason, Is.EqualTo(DropReason.TooManyJoints));
