@@ -87,6 +87,12 @@ public sealed record GatewayOptions
     internal int MaxConnectionsFor(Role role) => AsksForTokens && role != Role.Observer ? MaxConnections + ReservedConnections : MaxConnections;
 
     /// <summary>
+    /// Maximum number of connections to both ports with the token of one source and from one address. Several sources may share a token, and none of
+    /// them may use all connections.
+    /// </summary>
+    internal int MaxConnectionsOfSource => MaxConnectionsFor(Role.Source) / 4;
+
+    /// <summary>
     /// Maximum number of connections from one address, on each of the two ports, before authentication. The number applies separately to
     /// connections before and after the TLS handshake. At the limit, a new connection replaces the oldest one.
     /// </summary>

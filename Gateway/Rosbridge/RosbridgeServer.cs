@@ -101,7 +101,7 @@ sealed class RosbridgeServer(
             MaxMessagesPerSecond = perSecond,
         };
         using var watched = access.Watch(
-            accessControl.TokenHashOf(context), role, connection.End, accessControl.LoginOf(context));
+            token, role, context.Connection.RemoteIpAddress, connection.End, accessControl.LoginOf(context));
         var why = await connection.RunAsync(session);
         if (why == Closure.MalformedFrame)
             await upgrade.DrainAsync(ProtocolLimits.CloseTimeout);

@@ -193,7 +193,7 @@ sealed class ServedSyncConnection
             _isAccepted = true;
             Role = role;
             _watched?.Dispose();
-            _watched = _access.Watch(hash, role.Value, Stop);
+            _watched = _access.Watch(hash, role.Value, Address, Stop);
         }
 
         if (!isValid) SlowDown();

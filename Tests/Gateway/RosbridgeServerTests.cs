@@ -65,6 +65,31 @@ public class RosbridgeServerTests
     }
 
     [Test]
+    public async Task Connections_ManyOfOneSource_ReplaceItsOldestOnesAndLeavePlacesForOtherSources()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { MaxConnections = 4, Tokens = Gateways.Tokens });
+        var clients = new List<RawRosbridgeClient>();
+        try
+        {
+            for (var i = 0; i < 15; i++)
+            {
+                clients.Add(await RawRosbridgeClient.ConnectAsync(
+                    gateway, options => options.SetRequestHeader("Authorization", "Bearer " + Gateways.SourceToken)));
+                // The gateway has then added this connection, so that it is older than the next one.
+                await clients[i].RoundTripAsync();
+            }
+
+            await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 5, "a quarter of the connections remains");
+            await clients[10].RoundTripAsync();
+            await clients[^1].RoundTripAsync();
+        }
+        finally
+        {
+            foreach (var client in clients) client.Dispose();
+        }
+    }
+
+    [Test]
     public async Task Connections_WithHttpRequestsOnly_DoNotCountTowardsTheLimit()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { MaxConnections = 1 });
