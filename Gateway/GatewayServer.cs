@@ -57,7 +57,7 @@ public sealed class GatewayServer : IAsyncDisposable
         var wrong = new WrongTokens(options.Time);
         var accessControl = new AccessControl(options, wrong, WebSocketConnections, _log.Write);
         _rosbridge = new RosbridgeServer(options, Clock, PlantClocks, Hub, accessControl, _access, WebSocketConnections, Log);
-        _page = new VlcPage(options, Clock, accessControl, WebSocketConnections, Log, Web.Pages.Vlc);
+        _page = new VlcPage(options, Clock, accessControl, WebSocketConnections, Web.Pages.Vlc);
         _pairing = new PairingRoutes(options, accessControl, WebSocketConnections, Log, Web.Pages.Pairing);
         Recorder = new Recorder(options, Hub, Clock, PlantClocks, Drops, Log);
         _sync = new SyncServer(options, Clock, _access, wrong, _log.Write);

@@ -8,7 +8,7 @@ namespace Nowpose.Gateway.Codes;
 
 /// <summary>Limits time requests over HTTP. Each connection counts as a WebSocket connection and has the rate limit of sync requests.</summary>
 /// <remarks>Connections stay open between requests, because the time to connect again would be measured as network latency.</remarks>
-sealed class TimeRequestLimits(GatewayOptions options, ConnectionCounters counters, Action<string> log)
+sealed class TimeRequestLimits(GatewayOptions options, AccessControl accessControl, ConnectionCounters counters)
 {
     /// <summary>Checks whether a request may be served. Otherwise, rejects it and ends its connection.</summary>
     /// <returns>True if the request may be served.</returns>
@@ -16,7 +16,7 @@ sealed class TimeRequestLimits(GatewayOptions options, ConnectionCounters counte
     {
         var max = options.MaxConnectionsFor(role);
         if (PlaceOf(context, max) is not { } place)
-            await AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, LimitMessages.Connections(max));
+            await accessControl.RefuseExcessAsync(context, max);
         else if (place.Rate.TryTake())
             return true;
         else
@@ -27,7 +27,7 @@ sealed class TimeRequestLimits(GatewayOptions options, ConnectionCounters counte
     Task RefuseRateAsync(HttpContext context, Place place)
     {
         place.Why = Closure.TooManyRequests;
-        log(RequestMessages.ClosedForRate(place.Why));
+        accessControl.Log(context, RequestMessages.Closed(place.Why));
         return AccessControl.RefuseForNowAsync(context, TimeSpan.FromSeconds(1), LimitMessages.Requests(options.SyncRequestsPerSecond));
     }
 

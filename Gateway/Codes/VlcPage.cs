@@ -14,13 +14,13 @@ namespace Nowpose.Gateway.Codes;
 /// a token if the gateway has tokens. The page requests the time by POST, because browsers always send the Origin header with it.
 /// </remarks>
 /// <param name="html">The page; null if it was not built.</param>
-sealed class VlcPage(GatewayOptions options, IControlClock clock, AccessControl accessControl, ConnectionCounters counters, Action<string> log, string html)
+sealed class VlcPage(GatewayOptions options, IControlClock clock, AccessControl accessControl, ConnectionCounters counters, string html)
 {
     public const string Path = "/vlc";
     const string TimePath = "/vlc/time";
 
     readonly HtmlPage _page = new(html);
-    readonly TimeRequestLimits _places = new(options, counters, log);
+    readonly TimeRequestLimits _places = new(options, accessControl, counters);
 
     public bool IsBuilt => _page.IsBuilt;
 

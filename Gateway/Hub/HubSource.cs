@@ -149,6 +149,10 @@ public sealed class HubSource : IDisposable
     /// <param name="joint">The first joint of the message; empty if no name can be read.</param>
     internal void ReportRefused(string robot, string joint, Refusal refusal) => _hub.ReportRefused(this, robot, joint, refusal);
 
+    /// <summary>Reports a message that was dropped because it exceeds the client's message rate.</summary>
+    /// <param name="rule">The rule with the maximum rate and the remedy.</param>
+    internal void ReportExceededRate(string rule) => _hub.ReportExceededRate(this, rule);
+
     /// <summary>Reports a frame or a signal that was left out of a message.</summary>
     /// <param name="topic">Topic of the message.</param>
     internal void ReportDropped(string topic, LeftOut part) => _hub.ReportDropped(this, topic, part);

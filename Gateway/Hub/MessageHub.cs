@@ -70,6 +70,9 @@ public sealed class MessageHub
     /// <summary>Raised when the report of a client is refused because another client uses the name in it.</summary>
     internal event Action<HubSource, string> NameRefused;
 
+    /// <summary>Raised when a message of a client is dropped because it exceeds the client's message rate, with the text of the rule.</summary>
+    internal event Action<HubSource, string> RateExceeded;
+
     /// <summary>Raised with the name of a client that has closed its connection normally.</summary>
     internal event Action<string> Left;
 
@@ -225,6 +228,8 @@ public sealed class MessageHub
     }
 
     internal void ReportNameRefused(HubSource source, string name) => NameRefused?.Invoke(source, name);
+
+    internal void ReportExceededRate(HubSource source, string rule) => RateExceeded?.Invoke(source, rule);
 
     internal void ReportLeft(string name) => Left?.Invoke(name);
 

@@ -20,6 +20,8 @@ static class AccessMessages
     public const string TooManyWrongLog = "websocket: refused a connection, too many wrong tokens from its address";
 
     public static string TooManyWrong(string answer) => $"{answer}; too many wrong tokens from this address; wait a minute";
+    public const string BlockedLog = "access: refused a log-in or a pairing, too many wrong tokens or codes";
+
     public static string Refused(Closure why) => $"websocket: refused a connection (reason: {why})";
 
     /// <summary>Adds the client to a line: its address, role, and the beginning of its token's hash.</summary>

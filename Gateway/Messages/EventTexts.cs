@@ -16,6 +16,7 @@ static class EventTexts
     public const string IsLost = "is lost";
     public const string IsRefused = "is refused";
     public const string IsExceeded = "is exceeded";
+    public const string ExceedsRate = "sends too many messages, of which the gateway drops some";
     public const string Stopped = "stopped";
     public const string IsInvalid = "is invalid";
     public const string IsIncomplete = "is incomplete";

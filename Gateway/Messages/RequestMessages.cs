@@ -5,7 +5,6 @@ namespace Nowpose.Gateway.Messages;
 /// <summary>Responses to requests from rosbridge clients, and log lines about them.</summary>
 static class RequestMessages
 {
-    public static string ClosedForRate(Closure why) => $"websocket: closed a connection (reason: {why})";
     public static string NotAccepted(string kind, string reason) => $"websocket: a connection could not be accepted ({kind}: {reason})";
     public static string OtherType(string topic, string type, string given) => $"{topic} has the type {type}, not {given}; use {type}";
 

@@ -41,7 +41,7 @@ sealed class BrowserLogin(GatewayOptions options, AccessControl accessControl, C
     }
 
     Task<bool> RefuseBlockedAsync(HttpContext context) =>
-        AccessControl.RefuseBlockedAsync(context, _wrong, OperationsMessages.TooManyWrong);
+        accessControl.RefuseBlockedAsync(context, _wrong, OperationsMessages.TooManyWrong);
 
     Task OpenSessionAsync(HttpContext context, string token, Role role)
     {

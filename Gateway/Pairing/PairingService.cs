@@ -24,7 +24,7 @@ sealed class PairingService(GatewayOptions options, ShownCode shown, AccessContr
     }
 
     Task<bool> RefuseBlockedAsync(HttpContext context) =>
-        AccessControl.RefuseBlockedAsync(context, _wrong, PairingServiceMessages.TooManyWrong(PairingLimits.WrongCodesPerMinute));
+        accessControl.RefuseBlockedAsync(context, _wrong, PairingServiceMessages.TooManyWrong(PairingLimits.WrongCodesPerMinute));
 
     Task ExchangeAsync(HttpContext context, string token, string name)
     {

@@ -52,7 +52,7 @@ sealed class RosbridgeServer(
         var max = options.MaxConnectionsFor(role);
         if (!counters.TryEnter(max))
         {
-            await AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, LimitMessages.Connections(max));
+            await accessControl.RefuseExcessAsync(context, max);
             return;
         }
 

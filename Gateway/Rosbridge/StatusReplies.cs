@@ -62,6 +62,7 @@ sealed class StatusReplies(HubSource source, DropCounters drops, PublishRights r
         var text = reason == DropReason.UnknownOp
             ? RequestMessages.UnknownOperation(Short(message.OpName), KnownOperations)
             : $"{Subject(message)}dropped: {rule} ({reason})";
+        if (reason == DropReason.TooManyMessages) source.ReportExceededRate(rule);
         // Excludes joints of other sources, which the hub reports itself.
         if (topic != null && reason != DropReason.JointTaken)
         {

@@ -97,12 +97,21 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
         return AnswerAsync(context, status, text);
     }
 
+    /// <summary>Refuses a connection beyond the maximum number, which the caller has counted.</summary>
+    /// <param name="max">Maximum number of connections for the role of the client.</param>
+    public Task RefuseExcessAsync(HttpContext context, int max)
+    {
+        Log(context, AccessMessages.Refused(Closure.ConnectionLimit));
+        return AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, LimitMessages.Connections(max));
+    }
+
     /// <summary>Rejects a request from an address that has sent too many wrong tokens or codes.</summary>
     /// <returns>True if the request was refused.</returns>
-    public static async Task<bool> RefuseBlockedAsync(HttpContext context, WrongTokens wrong, string text)
+    public async Task<bool> RefuseBlockedAsync(HttpContext context, WrongTokens wrongOfForm, string text)
     {
-        var blocked = wrong.BlockedFor(context.Connection.RemoteIpAddress);
+        var blocked = wrongOfForm.BlockedFor(context.Connection.RemoteIpAddress);
         if (blocked == TimeSpan.Zero) return false;
+        Log(context, AccessMessages.BlockedLog, role: null, hash: null);
         await RefuseForNowAsync(context, blocked, text);
         return true;
     }

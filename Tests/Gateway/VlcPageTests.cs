@@ -65,7 +65,7 @@ public class VlcPageTests
     {
         var counters = new ConnectionCounters();
         var accessControl = new AccessControl(Gateways.Options(), new WrongTokens(TimeProvider.System), counters, (_, _) => { });
-        var page = new VlcPage(Gateways.Options(), new StopwatchControlClock(Gateways.Start), accessControl, counters, _ => { }, html: null);
+        var page = new VlcPage(Gateways.Options(), new StopwatchControlClock(Gateways.Start), accessControl, counters, html: null);
         var context = new DefaultHttpContext { Request = { Method = "GET", Path = "/vlc" }, Response = { Body = new MemoryStream() } };
 
         await page.ServeAsync(context, _ => throw new InvalidOperationException("handed on")).Bounded();

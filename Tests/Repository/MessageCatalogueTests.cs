@@ -54,7 +54,7 @@ public sealed partial class MessageCatalogueTests
     /// </summary>
     static readonly Dictionary<string, string[]> OtherStatuses = new()
     {
-        ["AccessMessages"] = ["ClosedForNewer", "FormerContentUsed", "OtherLinesUsed", "Refused", "TooManyWrongLog"],
+        ["AccessMessages"] = ["BlockedLog", "ClosedForNewer", "FormerContentUsed", "OtherLinesUsed", "Refused", "TooManyWrongLog"],
         ["AdapterMessages"] = ["Ended"],
         ["AppearanceMessages"] = ["NoMaterial", "NotFadeable"],
         ["BaseMessages"] =
@@ -103,7 +103,7 @@ public sealed partial class MessageCatalogueTests
         ["ProfileMessages"] = ["OtherKind"],
         ["RecorderMessages"] = ["Begun", "Deleted", "Disabled", "Download", "Enabled", "Ended", "FolderNotChecked", "UnknownName"],
         ["RecordingMessages"] = ["Stopped"],
-        ["RequestMessages"] = ["Closed", "ClosedForRate", "Dropped", "NotAccepted"],
+        ["RequestMessages"] = ["Closed", "Dropped", "NotAccepted"],
         ["RobotMessages"] = ["OfRobot"],
         ["SessionMessages"] =
         [

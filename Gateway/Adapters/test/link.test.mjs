@@ -83,6 +83,12 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     assert.equal(bridge.headers.length, 0);
   });
 
+  it('Connection_RefusedBecauseTheGatewayIsFull_NamesTheOption', async t => {
+    const bridge = await RosbridgeDouble.start(t, { token: 'another', refusal: 503 });
+
+    await (await adapter(t, bridge.url, { env: { NOWPOSE_TOKEN: TOKEN } })).said(gatewayMessages.full);
+  });
+
   for (const refusal of [401, 429])
     it(`Token_RefusedByTheGatewayWith${refusal}_IsLoggedOnce`, async t => {
       const bridge = await RosbridgeDouble.start(t, { token: 'another', refusal });

@@ -11,22 +11,26 @@ sealed class RefusalConditions : IDisposable
     readonly RecentRefusals _owned;
     readonly RefusedSetPoints _setPoints;
     readonly RefusedNames _names;
+    readonly ExceededRates _rates;
 
     public RefusalConditions(MessageHub hub, TimeProvider time)
     {
-        (_hub, _owned, _setPoints, _names) = (hub, new RecentRefusals(time), new RefusedSetPoints(time), new RefusedNames(time));
+        (_hub, _owned, _setPoints) = (hub, new RecentRefusals(time), new RefusedSetPoints(time));
+        (_names, _rates) = (new RefusedNames(time), new ExceededRates(time));
         hub.Refused += _owned.Add;
         hub.TopicReleased += _owned.Remove;
         hub.SetPointsRefused += _setPoints.Refuse;
         hub.TopicReleased += _setPoints.Release;
         hub.NameRefused += _names.Add;
+        hub.RateExceeded += _rates.Add;
     }
 
     /// <summary>Ends the refusals of the joints in a message with accepted set-points.</summary>
     /// <param name="message">A message on /joint_trajectory of any robot.</param>
     public void Accept(HubMessage message) => _setPoints.Accept(message.Source, message.Robot, ((JointTrajectoryMessage)message.Content).Names);
 
-    public IEnumerable<Condition> Read() => _owned.Read().Select(OfOwned).Concat(_setPoints.Read().Select(OfSetPoints)).Concat(_names.Read().Select(OfName));
+    public IEnumerable<Condition> Read() => _owned.Read().Select(OfOwned).Concat(_setPoints.Read().Select(OfSetPoints))
+        .Concat(_names.Read().Select(OfName)).Concat(_rates.Read().Select(OfRate));
 
     public void Dispose()
     {
@@ -35,6 +39,7 @@ sealed class RefusalConditions : IDisposable
         _hub.SetPointsRefused -= _setPoints.Refuse;
         _hub.TopicReleased -= _setPoints.Release;
         _hub.NameRefused -= _names.Add;
+        _hub.RateExceeded -= _rates.Add;
     }
 
     static Condition OfOwned((string Source, string Kind, string Name, string Owner) one) =>
@@ -58,6 +63,8 @@ sealed class RefusalConditions : IDisposable
             Headline = EventTexts.SourceRefused(source, what),
             Remedy = remedy,
         };
+
+    static Condition OfRate((string Client, string Rule) one) => new("source", one.Client, EventTexts.ExceedsRate, one.Rule, Level.Warning);
 
     static Condition OfName((string Name, string Client) one)
     {

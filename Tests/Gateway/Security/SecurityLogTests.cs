@@ -6,6 +6,7 @@ using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Status.Events;
 using Nowpose.Headless.Tests.Gateway.Status.Faults;
+using Nowpose.Pairing;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Gateway.Security;
@@ -82,6 +83,32 @@ public sealed class SecurityLogTests
         Assert.That(_gateway.Log, Has.One.EqualTo($"{RecorderMessages.Enabled} {by}"));
         Assert.That(_gateway.Log, Has.One.EqualTo($"{RecorderMessages.Disabled} {by}"));
         Assert.That(_gateway.Log, Has.One.EqualTo($"{RecorderMessages.Download}{name} {by}"));
+    }
+
+    [Test]
+    public async Task Log_RefusedForNow_NamesTheAddressAndTheReason()
+    {
+        await using var gateway = new MonitoredGateway();
+        await gateway.StartAsync(options => options with { MaxConnections = 1, SyncRequestsPerSecond = 1 });
+        using (await RawRosbridgeClient.ConnectAsync(gateway.Server))
+        {
+            foreach (var line in new[] { $"GET / HTTP/1.1\r\n{RawWebSocket.Upgrade}", "POST /vlc/time HTTP/1.1\r\nContent-Length: 0\r\n" })
+            {
+                using var refused = await RawWebSocket.ConnectAsync(gateway.Server);
+                await refused.SendAsync(Encoding.ASCII.GetBytes($"{line}Host: localhost\r\n\r\n"));
+                Assert.That(await refused.ReadToEndAsync(), Does.StartWith("HTTP/1.1 503 "));
+            }
+        }
+
+        Assert.That(gateway.Log, Has.Exactly(2).StartsWith(AccessMessages.Refused(Closure.ConnectionLimit) + " from 127.0.0.1 (source"));
+    }
+
+    [Test]
+    public async Task Log_LoginFromABlockedAddress_NamesTheAddress()
+    {
+        for (var i = 0; i <= PairingLimits.WrongCodesPerMinute; i++) await PostAsync("/operations/login", "{\"token\":\"unknown\"}");
+
+        Assert.That(_gateway.Log, Has.One.EqualTo($"{AccessMessages.BlockedLog} from 127.0.0.1"));
     }
 
     static string Id(string token) => Convert.ToHexStringLower(TokenList.HashOf(token))[..8];

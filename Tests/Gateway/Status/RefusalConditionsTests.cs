@@ -35,6 +35,27 @@ public class RefusalConditionsTests
     }
 
     [Test]
+    public void MessageRate_Exceeded_IsAConditionFor5SecondsWithTheMaximumAndTheRemedy()
+    {
+        var rule = DropMessages.TooManyMessages(250);
+        Source("hasty").ReportExceededRate(rule);
+
+        _time.Advance(TimeSpan.FromSeconds(4));
+        var found = _conditions.Read().Single();
+        Assert.That((found.Kind, found.Which, found.What, found.Reason), Is.EqualTo(("source", "hasty", EventTexts.ExceedsRate, rule)));
+        _time.Advance(TimeSpan.FromSeconds(2));
+        Assert.That(_conditions.Read(), Is.Empty);
+    }
+
+    [Test]
+    public void MessageRate_ExceededByManyClients_HasABoundedNumberOfConditions()
+    {
+        for (var client = 0; client < 1000; client++) Source($"client{client}").ReportExceededRate("");
+
+        Assert.That(Which(), Has.Length.EqualTo(64));
+    }
+
+    [Test]
     public void SetPoints_OfManyClientsThatMayNotPublish_DoNotHideAConflictOfSources()
     {
         for (var client = 0; client < 4; client++)

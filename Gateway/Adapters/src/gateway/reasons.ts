@@ -25,5 +25,6 @@ export function inWords(error: Error, name: string, wasOpen: boolean): string {
 /** Gets the reason why a server refused a connection with this HTTP status. */
 export function refusalInWords(status: number, name: string): string {
   if (name !== 'gateway') return gatewayMessages.noServer(name, `HTTP status ${status}`);
+  if (status === 503) return gatewayMessages.full;
   return REFUSED_TOKEN.includes(status) ? gatewayMessages.noToken(status) : `HTTP status ${status}`;
 }

@@ -21,6 +21,7 @@ export const gatewayMessages = {
   unknownHost: (name: string) => `the host name is unknown; correct ${entryOf(name, 'url')}`,
   notTrusted: (name: string, code: string) =>
     `the certificate is not trusted (${code}); set ${entryOf(name, 'pin')} to the pin of its key${name === 'gateway' ? ', which it prints' : ''}`,
+  full: 'HTTP status 503: the gateway has reached its maximum number of connections; close unneeded clients, or increase max-connections',
   noCertificate: 'the gateway sent no certificate; start it with --tls or --certificate',
   otherPin: (name: string, pin: string) =>
     `the pin of the ${name} is ${pin}, but the configuration contains another; set the pin to this value only if its key was renewed`,
