@@ -156,6 +156,9 @@ public sealed record GatewayOptions
     /// <param name="tokenHash">Hash of the token; null for a client without a token.</param>
     internal bool IsOwnAdapter(byte[] tokenHash) => tokenHash != null && _adapters.RoleOf(tokenHash) != null;
 
+    /// <summary>Gets the hash of a token for a log line; null for a weak token, which a reader of the log could find by its hash.</summary>
+    internal byte[] LoggedHash(byte[] tokenHash) => tokenHash != null && Tokens.IsWeak(tokenHash) ? null : tokenHash;
+
     /// <summary>Whether a token that was accepted earlier still has the same role. Tokens can be revoked while connections are open.</summary>
     /// <param name="tokenHash">Hash of the token; null for a client that connected without a token.</param>
     internal bool Holds(byte[] tokenHash, Role role) => !AsksForTokens || (tokenHash != null && RoleOf(tokenHash) == role);

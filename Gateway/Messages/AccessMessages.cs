@@ -28,7 +28,7 @@ static class AccessMessages
     /// <param name="role">
     /// Role of the client; null if it is unknown. An unknown token has no hash in the line, because it may be a password that was entered by mistake.
     /// </param>
-    /// <param name="hash">Hash of the client's token; null if it has none.</param>
+    /// <param name="hash">Hash of the client's token; null if it has none, and for a weak token.</param>
     public static string By(string line, IPAddress address, Role? role, byte[] hash)
     {
         var plain = address is { IsIPv4MappedToIPv6: true } ? address.MapToIPv4() : address;

@@ -71,7 +71,7 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
     /// <inheritdoc cref="Log(HttpContext, string, string)"/>
     /// <param name="hash">Hash of the client's token; null if it has none.</param>
     public void Log(HttpContext context, string line, Role? role, byte[] hash, string about = null) =>
-        log(AccessMessages.By(line + about, context.Connection.RemoteIpAddress, role, hash), line);
+        log(AccessMessages.By(line + about, context.Connection.RemoteIpAddress, role, options.LoggedHash(hash)), line);
 
     /// <summary>Responds with one line of text and ends the connection.</summary>
     public static Task AnswerAsync(HttpContext context, int status, string text)

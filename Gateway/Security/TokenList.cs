@@ -26,7 +26,7 @@ public sealed class TokenList
 
     public TokenList(IEnumerable<(string Token, Role Role)> tokens)
     {
-        _reported = new Content(Hashed(tokens), []);
+        _reported = new Content([.. tokens.Select(entry => (HashOf(entry.Token), entry.Role, false))], []);
         _current = () => _reported;
         IsEmpty = _reported.Entries.Length == 0;
     }
@@ -69,7 +69,8 @@ public sealed class TokenList
         {
             fault = null;
             var lines = LinesOf(path);
-            return new Content(Hashed(Entries(lines, path)), [.. WeakEntries(lines, path)]);
+            return new Content(
+                [.. Entries(lines, path).Select(entry => (HashOf(entry.Token), entry.Role, IsWeak(entry.Token)))], [.. WeakEntries(lines, path)]);
         }, Settles, log);
         if (tokens.Current.Entries.Length == 0)
             throw new InputException(TokenFileMessages.NoToken(path));
@@ -91,6 +92,11 @@ public sealed class TokenList
         return role;
     }
 
+    /// <summary>Whether a token of the file is too easy to guess, so that even a part of its hash would reveal it.</summary>
+    /// <param name="hash">Hash from <see cref="HashOf"/>.</param>
+    internal bool IsWeak(byte[] hash) =>
+        Array.Exists(_current().Entries, known => known.IsWeak && CryptographicOperations.FixedTimeEquals(known.Hash, hash));
+
     /// <summary>Gets the hash of a token, SHA-256 of its UTF-8 bytes. Only this hash is stored and compared.</summary>
     public static byte[] HashOf(string token) => SHA256.HashData(Encoding.UTF8.GetBytes(token));
 
@@ -103,8 +109,7 @@ public sealed class TokenList
         foreach (var line in Precautions.OfTokens(content.Weak)) _log(line);
     }
 
-    static (byte[] Hash, Role Role)[] Hashed(IEnumerable<(string Token, Role Role)> tokens) =>
-        [.. tokens.Select(entry => (HashOf(entry.Token), entry.Role))];
+    static bool IsWeak(string token) => TokenStrength.BitsOf(token) < TokenStrength.MinBits;
 
     static IEnumerable<(string Token, Role Role)> Entries(string[] lines, string path)
     {
@@ -139,9 +144,9 @@ public sealed class TokenList
     }
 
     // The tokens of a file, and its lines with weak tokens.
-    sealed class Content((byte[] Hash, Role Role)[] entries, IReadOnlyList<(string Where, double Bits)> weak)
+    sealed class Content((byte[] Hash, Role Role, bool IsWeak)[] entries, IReadOnlyList<(string Where, double Bits)> weak)
     {
-        public (byte[] Hash, Role Role)[] Entries => entries;
+        public (byte[] Hash, Role Role, bool IsWeak)[] Entries => entries;
         public IReadOnlyList<(string Where, double Bits)> Weak => weak;
     }
 }

@@ -161,7 +161,8 @@ sealed class SyncServer : IDisposable
         if (why is not (Closure.ByPeer or Closure.Stopped))
             _log(
                 AccessMessages.By(
-                    SyncServerMessages.Closed(why, why == Closure.Failure ? cause : null), connection.Address, connection.Role, connection.TokenHash),
+                    SyncServerMessages.Closed(why, why == Closure.Failure ? cause : null), connection.Address, connection.Role,
+                    _options.LoggedHash(connection.TokenHash)),
                 SyncServerMessages.ClosedFor(why));
     }
 }

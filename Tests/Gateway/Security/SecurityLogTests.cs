@@ -111,6 +111,25 @@ public sealed class SecurityLogTests
         Assert.That(_gateway.Log, Has.One.EqualTo($"{AccessMessages.BlockedLog} from 127.0.0.1"));
     }
 
+    // The first 8 digits of its hash would show that a guess of a weak token is right.
+    [TestCase("press-3", false)]
+    [TestCase("f3a19c0d5b7e42681d9f0a3c5e7b9d1f2a4c6e80", true)]
+    public async Task Log_RefusedRequest_HasAPartOfTheHashOnlyOfAStrongToken(string token, bool isLogged)
+    {
+        var path = Path.Combine(_folder, "tokens.txt");
+        await File.WriteAllTextAsync(path, $"observer {token}\n");
+        await using var gateway = new MonitoredGateway();
+        await gateway.StartAsync(options => options with { Tokens = TokenList.Read(path), Recordings = _folder });
+        using var request = new HttpRequestMessage(HttpMethod.Post, $"http://127.0.0.1:{gateway.Server.WebSocketEndPoint.Port}/operations/recording");
+        request.Headers.Authorization = new AuthenticationHeaderValue("Bearer", token);
+        request.Content = new StringContent("{\"on\":\"true\"}", Encoding.UTF8, "application/json");
+
+        using var response = await _http.SendAsync(request).Bounded();
+
+        var by = isLogged ? $"(observer, token {Id(token)})" : "(observer)";
+        Assert.That(gateway.Log, Has.One.EqualTo($"{AccessMessages.OperatorOnlyLog} from 127.0.0.1 {by}"));
+    }
+
     static string Id(string token) => Convert.ToHexStringLower(TokenList.HashOf(token))[..8];
 
     async Task GetAsync(string path, string token)
