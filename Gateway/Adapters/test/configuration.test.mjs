@@ -244,9 +244,24 @@ describe('configuration', () => {
     assert.deepEqual(readConfiguration(path, {}, kinds).secrets, ['Größe-4711']);
   });
 
-  it('ReadConfiguration_PasswordFileAndPasswordOfAnotherPlantInTheEnvironment_UsesTheFile', () => {
-    const path = temporaryFile('plant.yaml', GOOD.replace('joints:', `  user: { name: cell, password_file: '${temporaryFile('password', 'of-this-plant')}' }\njoints:`));
+  const withUser = (user, name = 'press-3') => temporaryFile('plant.yaml', GOOD.replace('plant:', `plant:\n  name: ${name}`)
+    .replace('joints:', `  user: { name: cell${user} }\njoints:`));
+  const FROM_FILE = `, password_file: '${temporaryFile('password', 'of-the-file')}'`;
 
-    assert.deepEqual(readConfiguration(path, { NOWPOSE_PLANT_PASSWORD: 'of-another-plant' }, kinds).secrets, ['of-this-plant']);
+  for (const [name, user, environment, password] of [
+    ['PasswordFile', FROM_FILE, { NOWPOSE_PLANT_PASSWORD_PRESS_3: 'of-the-plant' }, 'of-the-file'],
+    ['PasswordOfThePlant', '', { NOWPOSE_PLANT_PASSWORD_PRESS_3: 'of-the-plant', NOWPOSE_PLANT_PASSWORD: 'of-all-plants' }, 'of-the-plant'],
+    ['SharedPassword', ', shared_password: true', { NOWPOSE_PLANT_PASSWORD_PRESS_3: 'of-the-plant', NOWPOSE_PLANT_PASSWORD: 'of-all-plants' }, 'of-all-plants'],
+  ])
+    it(`ReadConfiguration_${name}_IsUsed`, () => assert.deepEqual(readConfiguration(withUser(user), environment, kinds).secrets, [password]));
+
+  it('Check_PasswordOfAnotherPlant_IsNotUsedAndTheVariableIsNamed', () => {
+    const others = { NOWPOSE_PLANT_PASSWORD: 'of-all-plants', NOWPOSE_PLANT_PASSWORD_PRESS_2: 'of-another-plant' };
+
+    assert.throws(() => readConfiguration(withUser(''), others, kinds),
+      ({ message }) => message.includes(configurationMessages.noPassword('NOWPOSE_PLANT_PASSWORD_PRESS_3', 'NOWPOSE_PLANT_PASSWORD')));
   });
+
+  it('Check_PasswordFileAndSharedPassword_AreRefused', () =>
+    assert.throws(() => readConfiguration(withUser(`${FROM_FILE}, shared_password: true`), {}, kinds), ({ message }) => message.includes(configurationMessages.twoPasswords)));
 });

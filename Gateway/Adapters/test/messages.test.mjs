@@ -12,7 +12,7 @@ const samples = {
   host: 'plc', included: ['ur5e', 'youbot'], keyFile: 'own.pem', kind: 'joint', knowledge: 'no value arrives', label: 'part x', last: 2, length: 0.5, limit: 4.1, line: 12, localNetId: '1.2.3.4.1.1',
   maxMs: 1000, maxNorm: 1.001, meant: 'kind', minNorm: 0.999, mode: 'power off', most: 512, name: 'elbow', names: ['target_qd'], nodes: ['i=1', 'i=2'], namespace: 'arm1', namespaces: ['urn:a', 'urn:b'], needed: 'DOUBLE',
   parent: 'map', root: 'arm1/base_link', netId: '5.6.7.8.1.1', node: 'ns=2;s=Axis1', axis: 'x', metres: 2e6, norm: 2, number: 1e300, own: '0.2.0', part: 'key', path: '/etc/token', pin: 'sha256/AAAA', place: 'plant.yaml, line 4',
-  policy: 'Basic256Sha256', port: 851, problem: 'the stream ended', problems: 'ns 7 is unknown', program: 'paused', publishingMs: 5, radians: 3.14159265, rateHz: 500,
+  policy: 'Basic256Sha256', port: 851, problem: 'the stream ended', problems: 'ns 7 is unknown', program: 'paused', publishingMs: 5, radians: 3.14159265, rateHz: 500, shared: 'NOWPOSE_PASSWORD', variable: 'NOWPOSE_PASSWORD_CELL', sources: ['table'], topics: ['/tf'], isRos1: false,
   read: 'joints a, b', reason: 'the disk is full', recipe: 2, remedy: 'wss://', request: 'WriteRequest', required: 9.6, samplingMs: 10, scale: 2,
   scheme: 'ws', seconds: 2, service: '/rosapi/get_time', sha1: '0a', sha256: '1b', similar: ['MAIN.axis1'], size: 48, source: 'tool0', stamp: 'its stamp', stated: 'deg',
   state: 'STOP', status: 'BadNodeIdUnknown', stepMs: 20, steps: 'its clock advances in steps', symbol: 'MAIN.axis1', tag: '!pin', text: 'a text', thumbprint: '0a',

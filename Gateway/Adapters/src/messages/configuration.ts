@@ -31,7 +31,11 @@ export const configurationMessages = {
     + `use ${scheme}s://, or set plain: true if all machines on its network are trusted`,
   pinWithoutTls: 'not used with ws://; use wss://, or remove the pin',
   passwordInClear: (remedy: string) => `the password would be sent unencrypted; use ${remedy}`,
-  noPassword: 'missing; add the path of a file that contains only the password, or set NOWPOSE_PLANT_PASSWORD',
+  /** @param shared The environment variable that several plants have in common. */
+  noPassword: (variable: string, shared: string) =>
+    `missing; add the path of a file that contains only the password, or set the environment variable ${variable}`
+    + (variable === shared ? '' : `; ${shared} is used only with shared_password: true`),
+  twoPasswords: 'password_file and shared_password are both set; remove one of the two',
 };
 
 /** Error messages about the configuration of frames. */

@@ -177,7 +177,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
 
     const right = bridge(t, 'publish', near, broker, `  user: { name: hall, password_file: "${temporaryFile('password', password)}" }\n`);
     await right.said('[plant/hall] connected');
-    const wrong = bridge(t, 'publish', near, broker, '  user: { name: hall }\n', { env: { NOWPOSE_PLANT_PASSWORD: 'not-that-one' } });
+    const wrong = bridge(t, 'publish', near, broker, '  user: { name: hall }\n', { env: { NOWPOSE_PLANT_PASSWORD_HALL: 'not-that-one' } });
     await wrong.said(like(brokerMessages.loginRefused(ANY)));
 
     assert.doesNotMatch(right.err + wrong.err, /4711|not-that-one/);

@@ -261,7 +261,7 @@ frames:
 
     const right = adapter(`  authority_file: ${certificate}\n${user}`);
     await right.said('[plant/twin] connected');
-    const wrong = adapter(`  authority_file: ${certificate}\n  user: { name: hall }\n`, { NOWPOSE_PLANT_PASSWORD: 'not-that-one' });
+    const wrong = adapter(`  authority_file: ${certificate}\n  user: { name: hall, shared_password: true }\n`, { NOWPOSE_PLANT_PASSWORD: 'not-that-one' });
     await wrong.said(brokerMessages.loginRefused(endpoint));
     await adapter(user).said(like(brokerMessages.notTrusted(ANY)));
 

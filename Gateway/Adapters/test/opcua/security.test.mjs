@@ -14,7 +14,7 @@ import { ANY, like, messages } from '../messages.mjs';
 const { certificateMessages, configurationMessages, fileMessages, opcuaRefusalMessages, opcuaSettingMessages } = messages;
 
 const JOINTS = [{ joint: 'a', node: 'ns=1;s=arm_joint_1' }];
-const PASSWORD = 'correct-horse-battery', WITH_PASSWORD = { env: { NOWPOSE_PLANT_PASSWORD: PASSWORD } };
+const PASSWORD = 'correct-horse-battery', WITH_PASSWORD = { env: { NOWPOSE_PLANT_PASSWORD_CELL: PASSWORD } };
 
 describe('security of OPC UA', () => {
   let server;
@@ -68,7 +68,7 @@ describe('security of OPC UA', () => {
   });
 
   it('Password_Wrong_IsReportedWithoutThePassword', async t => {
-    const wrong = { env: { NOWPOSE_PLANT_PASSWORD: 'wrong-horse' } };
+    const wrong = { env: { NOWPOSE_PLANT_PASSWORD_CELL: 'wrong-horse' } };
     const { run, bridge, state } = await adapterFor(t, server, [trusted(), 'user: {name: nowpose}'], JOINTS, wrong);
 
     const { reason } = await state(s => s.state === 'refused');
@@ -156,7 +156,7 @@ describe('security in the configuration', () => {
     ['WrongThumbprint', ['security:', '  thumbprint: 12 34'], 'line 8: plant.security.thumbprint: value "12 34"; '],
     ['PasswordInFile', ['user: {name: me, password: hush-hush}'], `line 7: plant.user.password: ${configurationMessages.unknownEntry('password_file', [])}`],
     ['PasswordOverOpenConnection', ['security: {mode: none, i_know_this_is_open: true}', 'user: {name: me}'], `line 8: plant.user: ${configurationMessages.passwordInClear('sign_and_encrypt')}`],
-    ['NoPassword', ['user:', '  name: me'], `line 7: plant.user.password_file: ${configurationMessages.noPassword}`],
+    ['NoPassword', ['user:', '  name: me'], `line 7: plant.user.password_file: ${configurationMessages.noPassword('NOWPOSE_PLANT_PASSWORD_CELL', 'NOWPOSE_PLANT_PASSWORD')}`],
     ['CertificateWithoutKey', ['user: {certificate: plant.yaml}'], `line 7: plant.user.key: ${opcuaSettingMessages.noPart('key')}`],
     ['FlagWithoutModeNone', ['security:', '  i_know_this_is_open: true'], `line 8: plant.security.i_know_this_is_open: ${opcuaSettingMessages.notOpen('sign_and_encrypt')}`],
     ['NoServerCertificate', ['security:', '  server_certificate: none.der'], `line 8: plant.security.server_certificate: ${fileMessages.notReadable('none.der', 'ENOENT')}`],
