@@ -21,6 +21,17 @@ export const rosMessages = {
   baseNotListed: (source: string, parent: string, root: string) =>
     `ROS publishes the pose of the robot's base ${source} in ${parent}, but frames does not list it, so headsets draw the robot at the origin of the `
     + `cell; add { frame: ${root}, source: ${source} } to frames`,
+  simulationTime: (topics: string[]) =>
+    `the messages on ${topics.join(', ')} have the time since the start of a simulation, but the clock of their stamps is in real time, so all `
+    + 'of them are refused: the rosapi of ROS 2 returns the system time even with use_sim_time; '
+    + 'start the nodes that publish them with use_sim_time: false',
+  /** @param sources Names of the frames in ROS. */
+  noPose: (sources: string[], isRos1: boolean) => {
+    const text = `no pose of ${sources.join(', ')} has arrived on the topics tf and tf_static; correct source, or start the publisher`;
+    const latched =
+      'if another program uses the same rosbridge, start a second one for this adapter, because it gets only one of several latched messages';
+    return isRos1 ? text : `${text}; ${latched}`;
+  },
   noTransforms: 'the message has no list of transforms',
   noParent: (source: string) => `the pose from ${source} has no parent; let its publisher set header.frame_id`,
   notFinite: (field: string, source: string, value: unknown) =>

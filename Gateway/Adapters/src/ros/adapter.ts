@@ -9,6 +9,7 @@ import { renewing } from './renewals';
 import { RobotDescription } from './robotDescription';
 import { RobotTime } from './robotTime';
 import { SetPoints } from './setPoints';
+import { SimulationTime } from './simulationTime';
 import type { RosSettings } from './kind';
 import { TopicMessages } from './topicMessages';
 import { beginningAt, beginsAtOnce, passedTrajectory } from './trajectory';
@@ -34,6 +35,7 @@ export async function run(context: AdapterContext<RosSettings>): Promise<void> {
   const setPoints = new SetPoints(clock, gateway);
   const values = new TopicValues(configuration.values, DATA);
   const topics = new TopicMessages(values, output, clock);
+  const simulation = new SimulationTime(clock, status);
   let connection = new AbortController();
   /** Whether the gateway's clock stamps the messages without a header, because the robot's clock is not available yet. */
   let isWithout = false;
@@ -56,6 +58,7 @@ export async function run(context: AdapterContext<RosSettings>): Promise<void> {
         // publisher that starts later would never arrive. Before version 2.2.0, the same applied to all messages of a best-effort publisher.
         if (!time.isRos1) robot.renewSilentSubscriptions();
         description?.check(connectedMs);
+        frames.check(connectedMs, time.isRos1);
       });
     },
     away: reason => {
@@ -63,6 +66,7 @@ export async function run(context: AdapterContext<RosSettings>): Promise<void> {
       clock.detach();
       setPoints.forget();
       topics.forget();
+      simulation.forget();
       if (status.state === 'connected') status.reconnected();
       status.enter('waiting', reason);
     },
@@ -92,7 +96,11 @@ export async function run(context: AdapterContext<RosSettings>): Promise<void> {
   const { namespace } = settings;
   const names = new JointNames(configuration.joints, namespace, settings.maxDeceleration);
   const states = new JointStates(names, oldest, clock, output.stamped, status, output.joints.silence);
-  robot.subscribe(settings.jointStates, message => states.pass(message), JOINT_STATE);
+  const passStates = (message: Record<string, unknown>): void => {
+    simulation.check(settings.jointStates, message?.header);
+    states.pass(message);
+  };
+  robot.subscribe(settings.jointStates, passStates, JOINT_STATE);
   const configured = namespace in configuration.robots ? configuration.robots[namespace] : configuration.robot;
   const description =
     configured !== null || settings.robotDescription === null ? null : new RobotDescription(settings.robotDescription, namespace, gateway, status);
@@ -101,7 +109,7 @@ export async function run(context: AdapterContext<RosSettings>): Promise<void> {
   const frames = new RosFrames(settings, oldest, clock, output.stamped, status, output.frames.states);
   if (configured !== null) frames.describe(configured);
   if (description !== null) robot.subscribe(description.topic, message => describe(description, message?.data), STRING);
-  if (settings.frames.some(({ topic }) => topic === null)) robot.subscribe(settings.tf, message => frames.pass(message), TRANSFORMS);
+  if (settings.frames.some(({ topic }) => topic === null)) robot.subscribe(settings.tf, passTransforms, TRANSFORMS);
   // An object with its own topic also needs the place of the robot, if ROS publishes one.
   if (settings.frames.length > 0) robot.subscribe(settings.tfStatic, message => frames.passStationary(message), TRANSFORMS);
   settings.frames.forEach(({ topic, type }, index) => {
@@ -113,6 +121,11 @@ export async function run(context: AdapterContext<RosSettings>): Promise<void> {
   function describe(of: RobotDescription, text: unknown): void {
     of.pass(text);
     if (typeof text === 'string') frames.describe(text);
+  }
+
+  function passTransforms(message: Record<string, unknown>): void {
+    simulation.check(settings.tf, (message as { transforms?: { header?: unknown }[] } | null)?.transforms?.[0]?.header);
+    frames.pass(message);
   }
 
   function passTrajectory(message: Record<string, unknown>): void {

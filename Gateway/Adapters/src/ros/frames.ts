@@ -26,12 +26,20 @@ interface RosTransform {
   transform?: Record<string, Record<string, unknown> | undefined>;
 }
 
+/** Time after a connection within which a pose of each frame is expected, ms. */
+const EXPECTED_MS = 10_000;
+
+const SUBJECT = 'frames';
+
 type Names = Pick<RosSettings, 'frames' | 'world' | 'namespace' | 'linkPrefix'>;
 
 /** Forwards the configured frames of a robot with their own stamps. */
 export class RosFrames {
   readonly #rules: StampRule[];
   readonly #base: RobotBase;
+  /** The frames in /tf and /tf_static of which no pose has arrived. */
+  readonly #awaited: Set<RosFrame>;
+  #isRos1 = false;
 
   constructor(
     readonly names: Names,
@@ -42,6 +50,7 @@ export class RosFrames {
     readonly states: FrameStates,
   ) {
     this.#rules = names.frames.map(() => new StampRule(oldest));
+    this.#awaited = new Set(names.frames.filter(({ topic }) => topic === null));
     const listed = names.frames.map(({ frame }) => frame);
     this.#base = new RobotBase(names.namespace, listed, status);
     // ROS does not confirm the poses of a frame whose publisher is silent.
@@ -51,6 +60,20 @@ export class RosFrames {
   /** Sets the description of the robot, whose base may be a frame. */
   describe(urdf: string): void {
     this.#base.describe(urdf);
+  }
+
+  /**
+   * Reports the frames of which no pose has arrived.
+   * @param connectedMs Duration of the connection, ms.
+   */
+  check(connectedMs: number, isRos1: boolean): void {
+    this.#isRos1 = isRos1;
+    if (connectedMs >= EXPECTED_MS) this.#reportAwaited();
+  }
+
+  #reportAwaited(): void {
+    const names = [...this.#awaited].map(({ source }) => source);
+    this.status.notice(names.length === 0 ? null : rosMessages.noPose(names, this.#isRos1), SUBJECT);
   }
 
   /** Forwards the tracked frames in a message of /tf. */
@@ -119,6 +142,7 @@ export class RosFrames {
       this.status.refuse(refusal.reason, frame, refusal.text, this.status.frames);
       return [];
     }
+    if (this.#awaited.delete(this.names.frames[index]) && this.#awaited.size === 0) this.#reportAwaited();
     const [metres, rotation] = [position as number[], unit(turn as number[])!];
     return [{ index, pose: { frame, parent: this.#parentOf(parent), position: metres, rotation }, stamp: ofRosTime(header?.stamp) }];
   }

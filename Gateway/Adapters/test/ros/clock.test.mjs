@@ -31,6 +31,15 @@ describe('the clock of ros', { concurrency: 4 }, () => {
     assert.ok(values.resolution_ns >= 10_000_000 && values.resolution_ns <= 20_000_000, `${values.resolution_ns}`);
   });
 
+  it('Clock_OfRos2WithSimulatedStamps_IsANoticeWithTheRemedy', async t => {
+    const { robot, bridge } = await cell(t, { ros: 2 });
+
+    robot.jointState(12_345_000_000n, ['a'], [1]);
+
+    await until(() => bridge.state?.notice === rosMessages.simulationTime(['/joint_states']), () => JSON.stringify(bridge.state));
+    assert.equal(bridge.jointStates.length, 0);
+  });
+
   it('Clock_WithoutRosapi_IsUnavailableButJointStatesAreForwarded', async t => {
     const { robot, bridge, adapter } = await cell(t, { now: null });
 

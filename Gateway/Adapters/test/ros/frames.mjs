@@ -21,7 +21,7 @@ export function rosCell(wholeFrames, names = {}) {
   /** Creates a message with the current poses of frames, each with its frame, x, parent and name in ROS. */
   const message = (...poses) => ({ transforms: poses.map(transform) });
   return {
-    ...one,
+    ...one, ros,
     describe: urdf => ros.describe(urdf),
     pass: (...pose) => ros.pass(message(pose)),
     passAll: poses => ros.pass(message(...poses)),
