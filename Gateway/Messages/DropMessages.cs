@@ -27,6 +27,10 @@ static class DropMessages
 
     public static string TooManyClocks(int max) => $"the gateway already has {max} clocks, which is the maximum; stop clients that are not needed";
 
+    /// <param name="clock">The clock of the time stamp and its rate, as a clause.</param>
+    public static string ClockRate(string clock) =>
+        $"{clock}, and its times cannot be converted; correct time.unit in the plant's file, or stamp with a clock in real time";
+
     /// <param name="max">Maximum number of joints on a topic, of all sources.</param>
     public static string TooManyNames(int max) =>
         $"exceeds the maximum of {max} different joints of all messages; unadvertise the topic, or connect again, to release the earlier joints";

@@ -27,6 +27,10 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
         return stamp == default ? DropReason.None : Judge(ref stamp);
     }
 
+    /// <summary>Gets the text of a reason for which <see cref="Judge(RosbridgeMessage, out ControlTime)"/> rejects a message.</summary>
+    public string TextOf(DropReason reason) => reason == DropReason.Unsynchronised && offers.StampClock is { WrongRate: { } rate } wrong
+        ? DropMessages.ClockRate(EventTexts.ClockAtWrongRate(wrong.Name, rate)) : DropMessages.Of(reason);
+
     /// <summary>Publishes a message.</summary>
     /// <param name="message">The message, whose stamps are valid.</param>
     /// <param name="stamp">Stamp of the message, on C1.</param>
@@ -104,7 +108,7 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
             }
 
             var child = transforms[i].Child;
-            (wrong ??= []).Add(new LeftOut(reason, child, $"frame {RequestText.Short(child)}: {DropMessages.Of(reason)}"));
+            (wrong ??= []).Add(new LeftOut(reason, child, $"frame {RequestText.Short(child)}: {TextOf(reason)}"));
             if (stamp > invalid) invalid = stamp;
         }
 

@@ -198,7 +198,7 @@ sealed class RosbridgeSession : IDisposable
         ControlTime stamp = default;
         if (reason == DropReason.None && (reason = _publisher.Judge(message, out stamp)) != DropReason.None && _publisher.LeftOut.Count == 0)
             _publisher.LeftOut.AddRange(Publications.PartsOf(message).Select(part =>
-                new LeftOut(reason, part, CellMessageFaults.Named(CellKinds.Of(message.Topic), part) + ": " + DropMessages.Of(reason))));
+                new LeftOut(reason, part, CellMessageFaults.Named(CellKinds.Of(message.Topic), part) + ": " + _publisher.TextOf(reason))));
         var name = Publications.NameIn(message);
         if (reason == DropReason.None && name != null && !_rights.MayUse(name))
             reason = DropReason.NotAllowed;
@@ -238,7 +238,7 @@ sealed class RosbridgeSession : IDisposable
     void DropWhole(RosbridgeMessage message, DropReason reason)
     {
         foreach (var part in _publisher.LeftOut) _source.ReportDropped(message.Topic, part);
-        _replies.Drop(message, reason, rule: _publisher.LeftOut.Find(part => part.Reason == reason).Fault);
+        _replies.Drop(message, reason, rule: _publisher.LeftOut.Find(part => part.Reason == reason).Fault ?? _publisher.TextOf(reason));
         _publisher.LeftOut.Clear();
     }
 
