@@ -40,6 +40,8 @@ export const rtdeMessages = {
   lostPackages:
     "packages are missing from the controller's data stream (counted as refused/package-lost); "
     + 'lower rate_hz, or reduce the load on the controller and the network',
+  slow: (rateHz: number) =>
+    `the controller sends less than half of the ${rateHz} samples per second of rate_hz; reduce its load and that of the network, or lower rate_hz`,
   clockStepped: (stepMs: number) => `the controller's clock has stepped by ${stepMs.toFixed(1)} ms; the clock is measured again`,
   noData: 'the robot sends no data',
   clockNotMeasured: "the robot's clock is not measured yet",

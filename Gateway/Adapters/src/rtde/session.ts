@@ -27,6 +27,9 @@ const ASK_MS = 50;
 /** Minimum backward step of the timestamp that indicates a controller restart. */
 const RESTART_S = 0.5;
 
+/** Ratio of the requested rate to the rate of the data above which it is reported. A controller sends the data of every n-th cycle. */
+const MIN_SLOWNESS = 2;
+
 /** First major version of e-Series controllers. A controller that does not return its version counts as e-Series. */
 const E_SERIES = 5;
 const E_SERIES_HZ = 500;
@@ -51,6 +54,7 @@ export class RtdeSession {
   readonly #following = new Following();
   readonly #over = new AbortController();
   #lastMs = 0;
+  #rateHz = 0;
   #timestamp: number | null = null;
   #isReading = false;
   #hasClock = false;
@@ -68,7 +72,7 @@ export class RtdeSession {
    * @throws RefusalError, RecipeError, MissingFieldsError, Error The controller cannot be read.
    */
   async run(): Promise<string> {
-    const { stopping, output, clock } = this.context;
+    const { stopping, output, clock, status } = this.context;
     output.restart();
     this.#connection = await RtdeConnection.open(this.settings, stopping);
     const stop = (): void => this.#connection.close();
@@ -88,6 +92,7 @@ export class RtdeSession {
       stopping.removeEventListener('abort', stop);
       this.#over.abort();
       clock.detach();
+      status.notice(null, 'rate');
       this.#connection.close();
     }
   }
@@ -109,7 +114,7 @@ export class RtdeSession {
     const major = controller !== null && controller.length >= 16 ? controller.readUInt32BE(0) : null;
     if (major !== null) status.detail('controller', [0, 4, 8, 12].map(i => controller!.readUInt32BE(i)).join('.'));
     const cyclesHz = major === null || major >= E_SERIES ? E_SERIES_HZ : CB3_HZ;
-    const rateHz = Math.min(settings.rateHz, cyclesHz);
+    const rateHz = (this.#rateHz = Math.min(settings.rateHz, cyclesHz));
     this.#clock = new ControllerClock(settings.sendDelay ?? ofMilliseconds(1000 / cyclesHz), by => this.#reportStep(by));
     status.detail('rate_hz', rateHz);
     const names = this.fields.map(field => field.name);
@@ -155,6 +160,7 @@ export class RtdeSession {
     while (performance.now() - this.#lastMs < SILENT_MS) {
       await pause(CHECK_MS, this.#over.signal);
       if (this.#over.signal.aborted) return 'stopped';
+      this.#reportRate();
     }
     const { halfPackage, silent } = rtdeMessages;
     return (this.#connection.hasHalfPackage ? halfPackage : silent)(at(this.settings), SILENT_MS / 1000);
@@ -262,6 +268,13 @@ export class RtdeSession {
     if (lost === 0) return;
     for (let i = 0; i < Math.min(lost, 1000); i++) status.count('package-lost');
     log.change('packages', 'lost', rtdeMessages.lostPackages);
+  }
+
+  #reportRate(): void {
+    const { usual } = this.#pace;
+    if (usual === null) return;
+    const isSlow = this.#rateHz * usual > MIN_SLOWNESS;
+    this.context.status.notice(isSlow ? rtdeMessages.slow(this.#rateHz) : null, 'rate');
   }
 
   #reportStep(by: Nanoseconds): void {

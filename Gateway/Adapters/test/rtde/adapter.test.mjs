@@ -37,6 +37,20 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     assert.ok(Math.abs(position[0] - angle(5, seconds(header.stamp) + LAG_S)) < 1e-9);
   });
 
+  it('Adapter_ControllerSlowerThanRequested_ReportsItAndPublishesAllSamples', async t => {
+    const { bridge, robot } = await cell(t, new RtdeRobot({ rateHz: 20 }));
+
+    const states = await statesOf(bridge, 40);
+
+    for (const { header, position } of states) assert.ok(Math.abs(position[0] - angle(0, seconds(header.stamp))) < 1e-9);
+    const intervals = states.slice(1).map(({ header }, i) => seconds(header.stamp) - seconds(states[i].header.stamp));
+    assert.ok(Math.abs(intervals.sort((a, b) => a - b)[20] - 0.05) < 0.01, `${intervals}`);
+    await until(() => bridge.state?.notice === rtdeMessages.slow(125), () => JSON.stringify(bridge.state));
+    const before = robot.now, { values } = await bridge.call('/nowpose/plant_time/arm');
+    const time = seconds(values.sent);
+    assert.ok(time >= before - 0.05 && time <= robot.now + 0.05, `${before} ${time} ${robot.now}`);
+  });
+
   it('Signals_OfInputsAndOutputs_ArePublishedWithTheTimeOfTheirChange', async t => {
     const rest = 'signals:\n  - { signal: closed, field: actual_digital_output_bits, bit: 3 }\n  - { signal: voltage, field: tool_output_voltage }\n';
     const { bridge, robot } = await cell(t, undefined, { rest, more: ', rate_hz: 50' });
