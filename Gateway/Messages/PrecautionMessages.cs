@@ -8,6 +8,10 @@ static class PrecautionMessages
     public const string InsecureLan =
         "security: anyone on this network can read and change the data, because of --insecure-lan; use --tls instead";
 
+    public static string NotInCertificate(string name) =>
+        $"certificate: it does not contain {name} of --host-names, so clients that connect to {name} without a pin refuse it; renew it with this "
+        + "name and the same key";
+
     public const string NoOperator =
         "pairing: clients need a token, but no token opens the operations page and the page /vlc; add --tokens FILE, a file with a line: "
         + "operator TOKEN";

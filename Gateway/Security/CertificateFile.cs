@@ -21,9 +21,9 @@ public sealed class CertificateFile
     /// <param name="keyPath">Path of the .pem file of the key; null if the key is in the certificate's file.</param>
     /// <param name="log">Receives a line when the file becomes invalid; null for no log.</param>
     /// <inheritdoc cref="CertificateFiles.LoadOrGenerate"/>
-    public CertificateFile(string path, string keyPath, Action<string> log)
+    public CertificateFile(string path, string keyPath, Action<string> log, IReadOnlyList<string> hostNames = null)
     {
-        using (var first = CertificateFiles.LoadOrGenerate(path, keyPath))
+        using (var first = CertificateFiles.LoadOrGenerate(path, keyPath, hostNames))
             _pin = CertificatePin.Of(first);
         (_path, _keyPath) = (path, keyPath);
         _file = new FollowedFile<ServerCertificate>([path, keyPath], (out string fault) =>

@@ -13,14 +13,17 @@ public static class CertificateFiles
     static readonly TimeSpan Validity = TimeSpan.FromDays(825);
 
     /// <summary>Generates a self-signed ECDSA P-256 certificate for this machine, in memory only. Each certificate has a new key and pin.</summary>
-    public static X509Certificate2 Generate() => Generate(DateTimeOffset.UtcNow.AddDays(-1), DateTimeOffset.UtcNow + Validity);
+    /// <param name="hostNames">Other host names and addresses under which clients connect to this machine; null for none.</param>
+    public static X509Certificate2 Generate(IReadOnlyList<string> hostNames = null) =>
+        Generate(DateTimeOffset.UtcNow.AddDays(-1), DateTimeOffset.UtcNow + Validity, hostNames);
 
     /// <summary>Generates a certificate with the given period of validity.</summary>
-    public static X509Certificate2 Generate(DateTimeOffset from, DateTimeOffset to)
+    /// <inheritdoc cref="Generate(IReadOnlyList{string})" path="/param"/>
+    public static X509Certificate2 Generate(DateTimeOffset from, DateTimeOffset to, IReadOnlyList<string> hostNames = null)
     {
         using var key = ECDsa.Create(ECCurve.NamedCurves.nistP256);
         var request = new CertificateRequest("CN=Nowpose gateway", key, HashAlgorithmName.SHA256);
-        request.CertificateExtensions.Add(Names());
+        request.CertificateExtensions.Add(Names(hostNames ?? []));
         request.CertificateExtensions.Add(new X509BasicConstraintsExtension(false, false, 0, true));
         request.CertificateExtensions.Add(new X509KeyUsageExtension(X509KeyUsageFlags.DigitalSignature, true));
         request.CertificateExtensions.Add(new X509EnhancedKeyUsageExtension([new Oid("1.3.6.1.5.5.7.3.1")], false));
@@ -31,12 +34,13 @@ public static class CertificateFiles
     /// <summary>Loads a .pfx file without a password or a .pem file. If the file does not exist, creates it with a new certificate.</summary>
     /// <param name="path">Path of the certificate's file.</param>
     /// <param name="keyPath">Path of the .pem file of the key; null if the key is in the certificate's file.</param>
+    /// <param name="hostNames">Host names and addresses for a new certificate, in addition to those of this machine; null for none.</param>
     /// <exception cref="InputException">The file cannot be read, has no private key, or its certificate has expired.</exception>
     /// <exception cref="IOException">The certificate is not valid yet, according to this machine's clock.</exception>
-    public static X509Certificate2 LoadOrGenerate(string path, string keyPath)
+    public static X509Certificate2 LoadOrGenerate(string path, string keyPath, IReadOnlyList<string> hostNames = null)
     {
         if (!File.Exists(path) && keyPath == null)
-            Save(path);
+            Save(path, hostNames);
         return LoadValid(path, keyPath).Certificate;
     }
 
@@ -84,9 +88,9 @@ public static class CertificateFiles
     static X509Certificate2 WithKey(X509Certificate2 certificate, string path) => certificate.HasPrivateKey
         ? certificate : throw new InputException(KeyFileMessages.NoPrivateKey(path));
 
-    static void Save(string path)
+    static void Save(string path, IReadOnlyList<string> hostNames)
     {
-        using var certificate = Generate();
+        using var certificate = Generate(hostNames);
         var bytes = IsPfx(path) ? certificate.Export(X509ContentType.Pfx) : System.Text.Encoding.ASCII.GetBytes(Pem(certificate));
         FileFault.Report(() => OutputFile.CreateSecret(path, bytes), e => KeyFileMessages.NotWritten(path, e.Message));
     }
@@ -104,14 +108,14 @@ public static class CertificateFiles
     static X509Certificate2 Usable(X509Certificate2 certificate) =>
         X509CertificateLoader.LoadPkcs12(certificate.Export(X509ContentType.Pfx), null, X509KeyStorageFlags.Exportable);
 
-    static X509Extension Names()
+    static X509Extension Names(IReadOnlyList<string> others)
     {
         var names = new SubjectAlternativeNameBuilder();
-        names.AddDnsName("localhost");
-        foreach (var name in OwnHosts.MachineNames.Where(name => Uri.CheckHostName(name) == UriHostNameType.Dns))
-            names.AddDnsName(name);
-        foreach (var address in OwnHosts.AddressesOfThisMachine().Append(IPAddress.Loopback).Append(IPAddress.IPv6Loopback).Distinct())
-            names.AddIpAddress(address);
+        var hosts = OwnHosts.MachineNames.Concat(others).Where(name => Uri.CheckHostName(name) == UriHostNameType.Dns).Prepend("localhost");
+        foreach (var name in hosts.Distinct(StringComparer.OrdinalIgnoreCase)) names.AddDnsName(name);
+        var addresses = OwnHosts.AddressesOfThisMachine().Append(IPAddress.Loopback).Append(IPAddress.IPv6Loopback)
+            .Concat(others.Select(other => IPAddress.TryParse(other, out var address) ? address : null).OfType<IPAddress>());
+        foreach (var address in addresses.Distinct()) names.AddIpAddress(address);
         return names.Build();
     }
 }

@@ -17,6 +17,8 @@ static class Precautions
             yield return PrecautionMessages.Root;
         if (options.Certificate == null && !options.IsLoopback)
             yield return PrecautionMessages.InsecureLan;
+        foreach (var name in options.HostNames.Where(name => options.Certificate?.MatchesHostname(name) == false))
+            yield return PrecautionMessages.NotInCertificate(name);
         if (options.Headsets != null && options.Tokens.IsEmpty)
             yield return PrecautionMessages.NoOperator;
         foreach (var warning in OfTokens(options.Tokens.Weak))

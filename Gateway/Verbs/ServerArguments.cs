@@ -33,7 +33,8 @@ sealed class ServerArguments(ConfiguredArguments configured)
 
     readonly Option<IReadOnlyList<string>> _hostNames = new("--host-names")
     {
-        Description = "Other host names or addresses of this machine, separated by commas, under which browsers may open the pages",
+        Description = "Other host names or addresses of this machine, separated by commas: browsers may open the pages under them, and a new "
+            + "certificate contains them",
         HelpName = "NAMES",
         DefaultValueFactory = _ => [],
         CustomParser = ParseHostNames,
@@ -214,11 +215,11 @@ sealed class ServerArguments(ConfiguredArguments configured)
         if (parsed.GetValue(_certificate) != null) return null;
         if (parsed.GetValue(_key) != null)
             throw new InputException(AddressOptionMessages.KeyWithoutCertificate);
-        return parsed.GetValue(_tls) ? CertificateFiles.Generate() : null;
+        return parsed.GetValue(_tls) ? CertificateFiles.Generate(parsed.GetValue(_hostNames)) : null;
     }
 
     CertificateFile CertificateFile(ParseResult parsed) => parsed.GetValue(_certificate) is { } path
-        ? new CertificateFile(path, parsed.GetValue(_key), Announcement.LogWithTime) : null;
+        ? new CertificateFile(path, parsed.GetValue(_key), Announcement.LogWithTime, parsed.GetValue(_hostNames)) : null;
 
     static IPAddress ParseAddress(ArgumentResult result)
     {

@@ -55,6 +55,17 @@ public class CertificateFilesTests
     }
 
     [Test]
+    public void LoadOrGenerate_OtherHostNames_ContainsNamesAndAddresses()
+    {
+        string[] names = ["edge1.plant.example", "192.0.2.7", "2001:db8::7"];
+
+        using var certificate = CertificateFiles.LoadOrGenerate(Path.Combine(_folder, "new.pem"), null, names);
+
+        foreach (var name in names.Append("localhost")) Assert.That(certificate.MatchesHostname(name), name);
+        Assert.That(certificate.MatchesHostname("192.0.2.8"), Is.False);
+    }
+
+    [Test]
     public void LoadOrGenerate_Expired_ThrowsWithTheDate()
     {
         var path = Path.Combine(_folder, "old.pfx");

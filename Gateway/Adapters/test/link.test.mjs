@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { createHash, X509Certificate } from 'node:crypto';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
+import { checkServerIdentity } from 'node:tls';
 import { before, describe, it } from 'node:test';
 import { identity } from './opcua/identity.mjs';
 import { configuration } from './rtde/cell.mjs';
@@ -14,7 +15,7 @@ import { ANY, like, messages } from './messages.mjs';
 
 const { gatewayMessages, logMessages } = messages;
 
-const { SendQueue, Log, GatewayLink } = await parts('gateway/sendQueue', 'log', 'gateway/link');
+const { SendQueue, Log, GatewayLink, inWords } = await parts('gateway/sendQueue', 'log', 'gateway/link', 'gateway/reasons');
 const TOKEN = 'a-token-of-a-source';
 
 /** Starts an adapter whose plant does not respond. */
@@ -81,6 +82,12 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     await run.said(like(gatewayMessages.notTrusted('gateway', ANY)));
 
     assert.equal(bridge.headers.length, 0);
+  });
+
+  it('Certificate_WithoutTheHost_IsReportedWithItsNamesAndTheRemedies', () => {
+    const error = checkServerIdentity('10.0.0.9', { subject: { CN: 'Nowpose gateway' }, subjectaltname: 'DNS:cell, IP Address:10.0.0.7' });
+
+    assert.equal(inWords(error, 'gateway', false), gatewayMessages.otherName('gateway', '10.0.0.9', 'DNS:cell, IP Address:10.0.0.7'));
   });
 
   it('Connection_RefusedBecauseTheGatewayIsFull_NamesTheOption', async t => {

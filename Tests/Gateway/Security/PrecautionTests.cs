@@ -51,6 +51,19 @@ public class PrecautionTests
         Assert.That(warnings.Count(line => line.Contains(path) && line.Contains("chmod")), Is.EqualTo(expected ? 1 : 0));
     }
 
+    [TestCase("edge1.plant.example", 0)]
+    [TestCase("192.0.2.7", 0)]
+    [TestCase("edge2.plant.example", 1)]
+    [TestCase("192.0.2.8", 1)]
+    public void HostName_NotInTheCertificate_CausesAWarningWithTheRemedy(string name, int expected)
+    {
+        using var certificate = CertificateFiles.Generate(["edge1.plant.example", "192.0.2.7"]);
+
+        var warnings = Precautions.Of(Gateways.Options() with { Certificate = certificate, HostNames = [name] }, null);
+
+        Assert.That(warnings.Count(line => line == PrecautionMessages.NotInCertificate(name)), Is.EqualTo(expected));
+    }
+
     static void Run(string program, params string[] arguments)
     {
         using var process = System.Diagnostics.Process.Start(program, arguments);

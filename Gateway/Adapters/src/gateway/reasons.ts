@@ -1,3 +1,4 @@
+import type { PeerCertificate } from 'node:tls';
 import { isUnknownHost, isUntrusted } from '../connectionErrors';
 import { gatewayMessages } from '../messages/gateway';
 import { WrongKeyError } from './pin';
@@ -17,6 +18,10 @@ export function inWords(error: Error, name: string, wasOpen: boolean): string {
   if (wasOpen) return RESET.includes(code!) ? gatewayMessages.closed : error.message;
   if (code === 'ECONNREFUSED') return gatewayMessages.refuses;
   if (isUnknownHost(code)) return gatewayMessages.unknownHost(name);
+  if (code === 'ERR_TLS_CERT_ALTNAME_INVALID') {
+    const { host, cert } = error as Error & { host: string; cert: PeerCertificate };
+    return gatewayMessages.otherName(name, host, cert.subjectaltname ?? 'no name');
+  }
   if (isUntrusted(code)) return gatewayMessages.notTrusted(name, code!);
   if (error instanceof WrongKeyError) return error.message;
   return gatewayMessages.noServer(name, code ?? error.message);

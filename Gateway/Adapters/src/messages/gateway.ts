@@ -21,6 +21,10 @@ export const gatewayMessages = {
   unknownHost: (name: string) => `the host name is unknown; correct ${entryOf(name, 'url')}`,
   notTrusted: (name: string, code: string) =>
     `the certificate is not trusted (${code}); set ${entryOf(name, 'pin')} to the pin of its key${name === 'gateway' ? ', which it prints' : ''}`,
+  /** @param names The names in the certificate, such as "DNS:cell, IP Address:10.0.0.7". */
+  otherName: (name: string, host: string, names: string) =>
+    `the certificate of the ${name} does not contain ${host}, but ${names}; enter one of these in ${entryOf(name, 'url')}, renew the certificate `
+    + `with ${host}, or set ${entryOf(name, 'pin')} to the pin of its key${name === 'gateway' ? ', which it prints' : ''}`,
   full: 'HTTP status 503: the gateway has reached its maximum number of connections; close unneeded clients, or increase max-connections',
   noCertificate: 'the gateway sent no certificate; start it with --tls or --certificate',
   otherPin: (name: string, pin: string) =>
