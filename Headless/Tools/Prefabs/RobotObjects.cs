@@ -46,7 +46,7 @@ sealed class RobotObjects
         return rig;
     }
 
-    /// <summary>Adds the ghost, which is hidden until the user enables it. It has no text, because the displayed robot has one.</summary>
+    /// <summary>Adds the ghost, which is hidden until the user enables it. Its text is on the other side of the gripper than that of the displayed robot.</summary>
     void AddGhost(Transform parent, RobotRig displayed)
     {
         var look = _assets.Load<Material>(PackagePaths.Ghost);
@@ -56,7 +56,9 @@ sealed class RobotObjects
         Fields.Set(rig.gameObject.AddComponent<Ghost>(), "_displayed", displayed);
         foreach (var part in gripper.GetComponentsInChildren<MeshFilter>(includeInactive: true))
             part.GetComponent<MeshRenderer>().sharedMaterial = look;
-        GripperPrefab.WordsOf(gripper).gameObject.SetActive(false);
+        var words = GripperPrefab.WordsOf(gripper);
+        words.transform.localPosition = Vector3.Scale(words.transform.localPosition, new Vector3(-1, 1, 1));
+        Fields.Set(rig.GetComponent<PoseAppearance>(), "_words", words);
         rig.gameObject.SetActive(false);
     }
 

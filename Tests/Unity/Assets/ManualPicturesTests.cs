@@ -21,7 +21,7 @@ public sealed class ManualPicturesTests
         Assert.That(opacities[0], Is.EqualTo(new[] { 1.0 }), "a current pose is drawn in full");
         Assert.That(opacities[1], Is.EqualTo(new[] { 0.4, 1 }), "the ghost is beside the robot");
         Assert.That(opacities[2], Is.EqualTo(new[] { 0.09, 0.6, 1 }).Within(1e-9), "a fade leaves 0.6, a stripe 0.15 of that; the arm is in full");
-        Assert.That(parts.Select(part => part.Elements(Svg + "text").SingleOrDefault()?.Value), Is.EqualTo(new[] { null, null, "held" }));
+        Assert.That(parts.Select(part => part.Elements(Svg + "text").SingleOrDefault()?.Value), Is.EqualTo(new[] { null, "uncompensated", "held" }));
     }
 
     [Test]

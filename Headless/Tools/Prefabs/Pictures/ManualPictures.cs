@@ -47,29 +47,39 @@ static class ManualPictures
         using var cell = new PlayedCell(root);
         cell.Run(12);
         while (Vector3.Distance(cell.Displayed.Tool.position, cell.Ghost.GetComponent<RobotRig>().Tool.position) < GapMetres) cell.Run(1 / 60.0);
-        var camera = Before(cell);
-        var current = new SceneDrawing(camera).Draw([cell.Real, cell.Displayed.gameObject]);
-        var compared = new SceneDrawing(camera).Draw([cell.Real, cell.Ghost, cell.Displayed.gameObject]);
+        LookAtTheGripper(cell);
+        var current = new SceneDrawing(Before(cell)).Draw([cell.Real, cell.Displayed.gameObject]);
+        var compared = new SceneDrawing(Before(cell, leftShare: -0.5f)).Draw([cell.Real, cell.Ghost, cell.Displayed.gameObject]);
         cell.CutOff();
         cell.Run(2);
-        camera = Before(cell);
-        // The text faces the camera, and its size depends on the distance to the camera.
-        cell.Head.SetPositionAndRotation(camera.Place.position, camera.Place.rotation);
-        cell.Run(0.1);
+        var camera = LookAtTheGripper(cell);
         var held = new SceneDrawing(camera).Draw([cell.Real, cell.Displayed.gameObject]);
         return Parts(
             "The virtual gripper at the arm's end: current; current beside the ghost; held, with stripes and words", PartWidth, PartHeight,
             ("current", current), ("current, and the ghost", compared), ("held: no sample for 2 s", held));
     }
 
-    /// <summary>Returns a camera in front of the gripper. From there, no part of the arm hides the gripper, and the text is on the left.</summary>
-    static PictureCamera Before(PlayedCell cell)
+    // The text faces the head, and its size depends on the distance to the head.
+    static PictureCamera LookAtTheGripper(PlayedCell cell)
+    {
+        var camera = Before(cell);
+        cell.Head.SetPositionAndRotation(camera.Place.position, camera.Place.rotation);
+        cell.Run(0.1);
+        return camera;
+    }
+
+    /// <summary>
+    /// Returns a camera in front of the gripper. From there, no part of the arm hides the gripper. The text is on the left, and that of the ghost on the
+    /// right.
+    /// </summary>
+    /// <param name="leftShare">Distance of the middle of the picture to the left of the gripper, as a share of that of the text.</param>
+    static PictureCamera Before(PlayedCell cell, float leftShare = 1f / 3)
     {
         var gripper = cell.Displayed.GetComponentInChildren<VirtualGripper>().transform;
         var left = GripperPrefab.WordsOf(gripper.gameObject).transform.position - gripper.position;
         left.y = 0;
         var ahead = Vector3.Cross(Vector3.up, left.normalized);
-        var middle = (gripper.position + cell.Displayed.Tool.position) / 2 + left / 3;
+        var middle = (gripper.position + cell.Displayed.Tool.position) / 2 + left * leftShare;
         var place = middle - 0.6f * ahead + 0.15f * Vector3.up;
         return new PictureCamera(new Pose(place, Quaternion.LookRotation(middle - place, Vector3.up)), 24, PartWidth, PartHeight);
     }

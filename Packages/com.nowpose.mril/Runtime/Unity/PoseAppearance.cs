@@ -254,7 +254,7 @@ namespace Nowpose.Unity
                 else part.Draw(WithSignal(LookOf(part.Place), _signals.Of(part)), _opacity);
                 _unsuitable.Report(this, part, _materials.Substitute);
             }
-            _label.Set(_words, Look.Label);
+            _label.Set(_words, PlacedState.IsUncompensated(transform) ? PoseMessages.OfGhost(Look.Label) : Look.Label);
         }
 
         // A script or an event may assign another material at any time.

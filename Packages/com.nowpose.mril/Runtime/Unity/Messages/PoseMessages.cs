@@ -12,7 +12,12 @@ namespace Nowpose.Unity.Messages
         public const string Shifted = "shifted";
         public const string ShiftedByEye = "it is shifted for a calibration by eye; apply the marks, or set the shift to 0";
         public const string SessionPaused = "the session is disabled or paused";
+        public const string Uncompensated = "uncompensated";
         public const string NotPlaced = "it was placed neither by hand nor by a source";
+
+        /// <summary>Returns the label of parts that show the newest samples.</summary>
+        /// <param name="label">Label of their state; empty if it is current.</param>
+        public static string OfGhost(string label) => label.Length > 0 ? Uncompensated + ", " + label : Uncompensated;
 
         /// <summary>Returns the name of a state. The text beside the robot and the status panel use the same name.</summary>
         public static string Of(PoseState pose, OutsideRangeResponse outsideRange = OutsideRangeResponse.Fade)

@@ -47,6 +47,17 @@ namespace Nowpose.Unity.Rendering
             return root;
         }
 
+        /// <summary>Returns whether the nearest object, rig or gripper at or above a transform shows the newest samples, without compensation.</summary>
+        public static bool IsUncompensated(Transform parts)
+        {
+            for (var at = parts; at != null; at = at.parent)
+            {
+                if (RigAt(at) is RobotRig rig) return rig.Shows == RigPose.Held;
+                if (at.TryGetComponent<ICellObject>(out var shown)) return shown is TrackedObject tracked && tracked.Shows == RigPose.Held;
+            }
+            return false;
+        }
+
         static bool IsOfSignal(Transform parts) => parts.TryGetComponent<CellSignal>(out _) || parts.TryGetComponent<ActuatedPart>(out _);
 
         // A gripper moves with its rig, which may be elsewhere in the hierarchy.
