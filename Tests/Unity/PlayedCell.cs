@@ -53,6 +53,9 @@ sealed class PlayedCell : IDisposable
     /// <summary>Whether samples arrive.</summary>
     public bool IsPlantUp { get; set; } = true;
 
+    /// <summary>Time between two samples in s.</summary>
+    public double SampleSeconds { get; set; } = 0.05;
+
     /// <summary>Sum of all steps of the control clock in s.</summary>
     public double ControlStepSeconds { get; set; }
 
@@ -159,7 +162,7 @@ sealed class PlayedCell : IDisposable
 
     void Sample(CompensationSession session, HeadsetTime now)
     {
-        _nextSample = Now + 0.05;
+        _nextSample = Now + SampleSeconds;
         if (session.Robot.MovingJoints.Count == 0) return;
         if (_names.Length != session.Robot.MovingJoints.Count) _names = [.. session.Robot.MovingJoints.Select(joint => joint.Name)];
         var positions = new double[_names.Length];

@@ -122,7 +122,7 @@ public sealed class StatusPanelViewTests(string scene)
         yield return ("nothing known", new StatusTexts());
         foreach (var pose in Enum.GetValues<PoseState>())
             foreach (var response in Enum.GetValues<OutsideRangeResponse>())
-                yield return State($"{pose} {response}", new SessionStatistics { Pose = pose, OutsideRange = response });
+                yield return State($"{pose} {response}", new SessionStatistics { SettledPose = pose, OutsideRange = response });
         foreach (var state in Enum.GetValues<ClockState>())
             yield return State($"{state}", new SessionStatistics { Clock = new ClockModel(default, default, 0, Ms(888.8), state) });
         foreach (var ms in new[] { -888.8, 0.88, 88.8, 888.8, 1e9, -1e9 })
@@ -158,7 +158,7 @@ public sealed class StatusPanelViewTests(string scene)
             var parts = new ShownParts();
             for (var i = 0; i < count; i++) parts.Add(new Part("object WORKPIECE_WITH_A_LONG_NAME_" + i, new string('W', 128)));
             var texts = new StatusTexts();
-            var statistics = new SessionStatistics { Pose = PoseState.Current, Now = ControlTime.FromSeconds(1010) };
+            var statistics = new SessionStatistics { SettledPose = PoseState.Current, Now = ControlTime.FromSeconds(1010) };
             texts.Update(statistics, Network, "youbot", null, parts: parts);
             yield return ($"{count} objects that are not current", texts);
             foreach (var words in new[] { 1, 10, 20, 40, 60, 80, 200 })

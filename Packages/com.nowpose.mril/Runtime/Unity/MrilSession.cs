@@ -141,8 +141,8 @@ namespace Nowpose.Unity
         /// <summary>Whether the pose is now computed again in the frame, right before rendering, when the display time is known better.</summary>
         public bool IsBeforeRender => _beforeRender != null && _beforeRender.IsNow;
 
-        /// <summary>Returns the state of the pose of <see cref="Robot"/> in a frame.</summary>
-        internal PoseState StateIn(DisplayFrame frame) => Robot == null ? PoseState.Incomplete : frame.State;
+        /// <summary>Returns the state that the look of <see cref="Robot"/> shows in a frame.</summary>
+        internal PoseState StateIn(DisplayFrame frame) => Robot == null ? PoseState.Incomplete : frame.SettledState;
 
         /// <summary>Starts to connect to the gateway and returns without delay. Connects again after each pause and after a loss of the connection.</summary>
         public void Connect()

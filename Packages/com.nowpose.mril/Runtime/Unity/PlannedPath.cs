@@ -103,7 +103,8 @@ namespace Nowpose.Unity
             var robot = _source.Robot;
             if (robot == null) return StatusMessages.RobotNotAdded;
             if (!(frame.DisplayTime is ControlTime displayTime)) return StatusMessages.ReasonOf(PoseState.Unsynchronised);
-            if (robot.Frame.State != PoseState.Current) return StatusMessages.ReasonOf(robot.Frame.State, robot.Frame.IsLimitedByBase);
+            if (robot.Frame.SettledState != PoseState.Current)
+                return StatusMessages.ReasonOf(robot.Frame.SettledState, robot.Frame.IsSettledLimitedByBase);
             if (_carriers.Find(_source) is string unknown) return unknown;
             _count = Plan(robot, displayTime);
             return _count >= 2 ? null : _isCarrierUnplanned ? PlannedPathMessages.CarrierWithoutPlan : PlannedPathMessages.NoPlan;

@@ -98,8 +98,8 @@ namespace Nowpose.Unity
         /// <summary>Reason why the robot's pose is not current, in one line; null if it is current.</summary>
         internal string Fault => _source == null ? StatusMessages.NoSession : _robot.Fault;
 
-        /// <summary>Returns the state of the shown robot's pose in a frame of the session.</summary>
-        internal PoseState StateIn(DisplayFrame frame) => _robot == null ? frame.State : _robot.StateIn(frame);
+        /// <summary>Returns the state that the robot's look shows in a frame of the session.</summary>
+        internal PoseState StateIn(DisplayFrame frame) => _robot == null ? frame.SettledState : _robot.StateIn(frame);
 
         /// <summary>Whether this rig is enabled and bound to the robot that its session moves.</summary>
         public bool IsFollowing => _source != null && Model != null && Model == _robot.Model;

@@ -79,6 +79,8 @@ namespace Nowpose.Unity
 
         MrilSession IFollowsSession.AssignedSession => _session;
 
+        PoseState ICellObject.SettledState => _followed == null ? PoseState.Incomplete : _followed.SettledState;
+
         Transform ICellObject.World => _followed?.World;
 
         bool ICellObject.IsUnplaced => _followed != null && !_followed.IsKnown;
@@ -156,7 +158,7 @@ namespace Nowpose.Unity
 
         void Show(DisplayFrame frame)
         {
-            var isNew = _followed.Update();
+            var isNew = _followed.Update(frame.Start);
             if (IsMoving)
             {
                 _followed.PlaceBy(transform);

@@ -53,6 +53,8 @@ namespace Nowpose.Unity
 
         MrilSession IFollowsSession.AssignedSession => _session;
 
+        PoseState ICellObject.SettledState => _followed == null ? PoseState.Incomplete : _followed.SettledState;
+
         Transform ICellObject.World => _followed?.World;
 
         bool ICellObject.IsUnplaced => false;
@@ -104,7 +106,7 @@ namespace Nowpose.Unity
 
         void Show(DisplayFrame frame)
         {
-            _followed.Update();
+            _followed.Update(frame.Start);
             _followed.Place(transform, _shows);
         }
     }

@@ -13,6 +13,7 @@ namespace Nowpose.Session
         readonly JointTracks _tracks;
         readonly RigidTransform[] _linkPoses;
         readonly int _toolLink;
+        readonly SettledPose _settled = new SettledPose();
 
         internal DisplayFrame(JointTracks tracks, RigidTransform[] linkPoses, int toolLink, OutsideRangeResponse outsideRange)
         {
@@ -43,11 +44,17 @@ namespace Nowpose.Session
 
         public PoseState State { get; private set; }
 
+        /// <summary>The state that the robot's look and the status panel show, see <see cref="SettledPose"/>.</summary>
+        internal PoseState SettledState => _settled.Over(State);
+
         /// <inheritdoc cref="DisplayMoment.IsLast"/>
         internal bool IsLast { get; private set; }
 
         /// <summary>Whether the robot's moving base, and not one of its joints, is the reason for <see cref="State"/>.</summary>
         internal bool IsLimitedByBase { get; private set; }
+
+        /// <summary>Whether the robot's moving base is the reason for <see cref="SettledState"/>.</summary>
+        internal bool IsSettledLimitedByBase { get; private set; }
 
         /// <summary>
         /// Whether the render time of the previous frames is in the constant-latency range. Only in this range is the display time known.
@@ -92,20 +99,25 @@ namespace Nowpose.Session
             IsTimeTrusted = moment.IsTrusted;
             ClockState = moment.Clock.State;
             ClockError = moment.Clock.EstimatedError;
-            State = state;
             IsLast = moment.IsLast;
-            IsLimitedByBase = false;
             Range = moment.Range;
             ErrorWithheld = moment.ErrorWithheld;
             IsDisplayTimeInconsistent = moment.IsInconsistent;
             IsDisplayTimeImplausible = moment.IsImplausible;
+            SetState(state, isLimitedByBase: false);
         }
 
         /// <summary>Sets the state of the robot's moving base. A robot whose base is not current is not displayed at its real position.</summary>
         internal void SetBase(PoseState state)
         {
-            IsLimitedByBase = state < State;
-            if (IsLimitedByBase) State = state;
+            if (state < State) SetState(state, isLimitedByBase: true);
+        }
+
+        void SetState(PoseState state, bool isLimitedByBase)
+        {
+            (State, IsLimitedByBase) = (state, isLimitedByBase);
+            _settled.Add(Start, state);
+            if (SettledState == state) IsSettledLimitedByBase = isLimitedByBase;
         }
     }
 }

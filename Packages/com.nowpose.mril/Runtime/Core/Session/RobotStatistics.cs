@@ -13,8 +13,11 @@ namespace Nowpose.Session
         /// <summary>State of the robot's pose.</summary>
         public PoseState Pose { get; set; }
 
-        /// <inheritdoc cref="DisplayFrame.IsLimitedByBase"/>
-        public bool IsLimitedByBase { get; set; }
+        /// <inheritdoc cref="DisplayFrame.SettledState"/>
+        public PoseState SettledPose { get; set; }
+
+        /// <inheritdoc cref="DisplayFrame.IsSettledLimitedByBase"/>
+        public bool IsSettledLimitedByBase { get; set; }
 
         /// <inheritdoc cref="SessionStatistics.JointStatuses"/>
         public List<JointStatus> JointStatuses { get; } = new List<JointStatus>();

@@ -119,7 +119,8 @@ namespace Nowpose.Session
         {
             into.Namespace = Namespace;
             into.Pose = Frame.State;
-            into.IsLimitedByBase = Frame.IsLimitedByBase;
+            into.SettledPose = Frame.SettledState;
+            into.IsSettledLimitedByBase = Frame.IsSettledLimitedByBase;
             into.DescriptionMatch = Description.Match;
             into.BeyondLimits = Limits.Present;
             into.Samples = Intake.Samples;

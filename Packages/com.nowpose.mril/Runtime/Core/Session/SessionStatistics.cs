@@ -141,8 +141,11 @@ namespace Nowpose.Session
         /// <summary>State of the pose of <see cref="CompensationSession.Robot"/>.</summary>
         public PoseState Pose { get => _robot.Pose; internal set => _robot.Pose = value; }
 
-        /// <inheritdoc cref="DisplayFrame.IsLimitedByBase"/>
-        internal bool IsLimitedByBase { get => _robot.IsLimitedByBase; set => _robot.IsLimitedByBase = value; }
+        /// <inheritdoc cref="DisplayFrame.SettledState"/>
+        internal PoseState SettledPose { get => _robot.SettledPose; set => _robot.SettledPose = value; }
+
+        /// <inheritdoc cref="DisplayFrame.IsSettledLimitedByBase"/>
+        internal bool IsSettledLimitedByBase { get => _robot.IsSettledLimitedByBase; set => _robot.IsSettledLimitedByBase = value; }
 
         /// <summary>The most severe state among the poses of all displayed robots.</summary>
         internal PoseState WorstPose { get; set; }

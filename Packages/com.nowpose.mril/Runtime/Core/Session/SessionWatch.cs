@@ -11,7 +11,8 @@ namespace Nowpose.Session
     /// </remarks>
     sealed class SessionWatch
     {
-        static readonly TimeSpan Settle = TimeSpan.FromMilliseconds(500);
+        /// <summary>Time for which an improvement must last before it is reported or shown.</summary>
+        public static readonly TimeSpan Settle = TimeSpan.FromMilliseconds(500);
 
         SettledFlag _isSynchronised, _isInRange, _isFresh;
         bool _isDisplayTimeInconsistent, _isDisplayTimeImplausible;

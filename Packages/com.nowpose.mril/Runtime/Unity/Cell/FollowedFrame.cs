@@ -22,6 +22,7 @@ namespace Nowpose.Unity.Cell
         readonly string _invalid;
         readonly bool _canWaitForClock;
         readonly FrameFault _fault = new FrameFault();
+        SettledPose _settled = new SettledPose();
         DropReason _refused;
         CompensationSession _session;
         CellFrame _frame;
@@ -81,24 +82,30 @@ namespace Nowpose.Unity.Cell
         public PoseState State =>
             _session == null || HasEnded ? PoseState.Incomplete : CellPlace.StateIn(World, _session.Frames.StateOf(_frame));
 
+        /// <summary>State that the object's look shows, see <see cref="SettledPose"/>.</summary>
+        public PoseState SettledState => _settled.Over(State);
+
         // The states in a session that has ended are those of its last frame.
         bool HasEnded => _source.Session != _session;
 
-        public string Fault
+        /// <summary>Reason why the pose is not current, in one line; null if it is current.</summary>
+        public string Fault => FaultIn(State);
+
+        string IShownPart.Fault => FaultIn(SettledState);
+
+        string FaultIn(PoseState state)
         {
-            get
+            if (_session != null && HasEnded) return StatusMessages.NoSession;
+            switch (state)
             {
-                if (_session != null && HasEnded) return StatusMessages.NoSession;
-                switch (State)
-                {
-                    case PoseState.Current: return null;
-                    case PoseState.Incomplete: return _frame == null ? _missing : ReasonOf(_frame);
-                    case PoseState.Held: return World == null ? BaseMessages.Destroyed : ReasonOf(_frame);
-                    default: return PoseMessages.Of(State);
-                }
+                case PoseState.Current: return null;
+                case PoseState.Incomplete: return _frame == null ? _missing : ReasonOf(_frame);
+                case PoseState.Held: return World == null ? BaseMessages.Destroyed : ReasonOf(_frame) ?? StatusMessages.ReasonOf(state);
+                default: return PoseMessages.Of(state);
             }
         }
 
+        // Null if the frame is current again.
         string ReasonOf(CellFrame held) => _fault.Of(held, _session.Frames.Tree);
 
         public bool IsFaultCommon
@@ -108,7 +115,7 @@ namespace Nowpose.Unity.Cell
                 if (_session == null || HasEnded || _invalid != null) return false;
                 // Poses of moving frames wait for the clock, so a frame without a pose may already have one.
                 if (_frame == null) return _canWaitForClock && _session.Frames.IsWaitingForClock;
-                return State == PoseState.Unsynchronised || State == PoseState.OutsideRange;
+                return SettledState == PoseState.Unsynchronised || SettledState == PoseState.OutsideRange;
             }
         }
 
@@ -146,17 +153,20 @@ namespace Nowpose.Unity.Cell
         }
 
         /// <summary>Updates the session and the frame that this object follows. Call it once per frame, before the other methods.</summary>
+        /// <param name="at">Start of the frame.</param>
         /// <returns>True if the session has changed since the last call.</returns>
-        public bool Update()
+        public bool Update(HeadsetTime at)
         {
             var isNew = _source.Session != _session;
             if (isNew)
             {
                 _session = _source.Session;
                 _frame = null;
+                _settled = new SettledPose();
                 if (IsNameValid) _session.Frames.Need(Name);
             }
             _frame ??= _session.Frames.Find(Name);
+            _settled.Add(at, State);
             return isNew;
         }
 

@@ -6,8 +6,11 @@ namespace Nowpose.Unity.Cell
     /// <summary>A component that shows an object at a frame of the cell. The appearance of the object shows the state of the frame.</summary>
     interface ICellObject
     {
-        /// <summary>State of the object's pose. If the object is not shown where it is at the display time, the state gives the reason.</summary>
-        PoseState State { get; }
+        /// <summary>
+        /// State that the object's look shows, see <see cref="SettledPose"/>. If the object is not shown where it is at the display time, the state
+        /// gives the reason.
+        /// </summary>
+        PoseState SettledState { get; }
 
         /// <summary>
         /// The transform that is the frame <c>world</c> for this object; null while the object follows no frame, equal to null if it was destroyed.

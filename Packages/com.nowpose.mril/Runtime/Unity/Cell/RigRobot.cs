@@ -51,19 +51,19 @@ namespace Nowpose.Unity.Cell
                 if (_session != null && HasEnded) return StatusMessages.NoSession;
                 if (_robot == null) return _session == null ? StatusMessages.NoSession : StatusMessages.RobotNotAdded;
                 return FaultOf(_robot.Frame) ?? (HasLostBase ? BaseMessages.Destroyed : null) ?? (IsSecond ? _sameRobot : null)
-                    ?? (StatisticsOf(_source.Statistics) is RobotStatistics robot ? FaultOf(robot) : ReasonOf(_robot.Frame.State));
+                    ?? (StatisticsOf(_source.Statistics) is RobotStatistics robot ? FaultOf(robot) : ReasonOf(_robot.Frame.SettledState));
             }
         }
 
         public bool IsFaultCommon => _robot != null && !HasEnded
-            && (_robot.Frame.State == PoseState.Unsynchronised || _robot.Frame.State == PoseState.OutsideRange);
+            && (_robot.Frame.SettledState == PoseState.Unsynchronised || _robot.Frame.SettledState == PoseState.OutsideRange);
 
         public ControlTime? FaultSince
         {
             get
             {
-                if (_robot == null || HasEnded || _robot.Frame.State == PoseState.Current) return null;
-                if (_robot.Frame.IsLimitedByBase) return _session.Frames.HeldSince(_session.Frames.Find(_robot.Root));
+                if (_robot == null || HasEnded || _robot.Frame.SettledState == PoseState.Current) return null;
+                if (_robot.Frame.IsSettledLimitedByBase) return _session.Frames.HeldSince(_session.Frames.Find(_robot.Root));
                 return _session.Frames.MissingSince(_robot);
             }
         }
@@ -72,11 +72,12 @@ namespace Nowpose.Unity.Cell
         bool HasEnded => _source.Session != _session;
 
         // The time and the render time concern the whole cell, and a base that is not current concerns all joints.
-        static string FaultOf(DisplayFrame frame) => frame.IsLimitedByBase || frame.State == PoseState.Unsynchronised || frame.State == PoseState.OutsideRange
-            ? StatusMessages.ReasonOf(frame.State, frame.IsLimitedByBase) : null;
+        static string FaultOf(DisplayFrame frame) =>
+            frame.IsSettledLimitedByBase || frame.SettledState == PoseState.Unsynchronised || frame.SettledState == PoseState.OutsideRange
+                ? StatusMessages.ReasonOf(frame.SettledState, frame.IsSettledLimitedByBase) : null;
 
         string FaultOf(RobotStatistics robot) => robot.OtherNamespaces ?? _missingJoints.Of(robot.JointStatuses, robot.Samples)
-            ?? ReasonOf(robot.Pose)
+            ?? ReasonOf(robot.SettledPose)
             ?? robot.BeyondLimits?.Words
             ?? (robot.DescriptionMatch == RobotDescriptionMatch.Different ? RobotMessages.DescriptionDiffers : null);
 
@@ -109,10 +110,10 @@ namespace Nowpose.Unity.Cell
         /// <summary>The transform that is the frame <c>world</c>; equal to null if it was destroyed. The base then stays where it is.</summary>
         public Transform World { get; private set; }
 
-        /// <summary>Returns the state of the robot's pose in a frame of the session.</summary>
+        /// <summary>Returns the state that the robot's look shows in a frame of the session.</summary>
         public PoseState StateIn(DisplayFrame frame)
         {
-            var state = IsOwn ? _source.StateIn(frame) : _robot == null ? PoseState.Incomplete : _robot.Frame.State;
+            var state = IsOwn ? _source.StateIn(frame) : _robot == null ? PoseState.Incomplete : _robot.Frame.SettledState;
             return HasLostBase ? CellPlace.StateIn(World, state) : state;
         }
 

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Nowpose.Unity.Rendering
 {
-    /// <summary>State of the pose of parts in the scene. It is the state of the component that moves them.</summary>
+    /// <summary>State that the look of parts in the scene shows. It is the settled state of the component that moves them.</summary>
     /// <remarks>
     /// An object of the cell has its own place, independent of the objects above it in the hierarchy. A rig without a moving base of its own stands on
     /// the object or rig above it, and is therefore never more current than this one. Allocates nothing.
@@ -35,7 +35,7 @@ namespace Nowpose.Unity.Rendering
                 if (RigAt(at) is RobotRig rig) return Of(rig, frame);
                 if (at.TryGetComponent<ICellObject>(out var shown)) return Of(shown);
             }
-            var state = IsOfSignal(parts) && source.Session != null ? source.Session.Frames.StateOfTime : source.StateIn(frame);
+            var state = IsOfSignal(parts) && source.Session != null ? source.Session.Frames.SettledStateOfTime : source.StateIn(frame);
             return new PlacedState(state, Above(parts));
         }
 
@@ -67,7 +67,7 @@ namespace Nowpose.Unity.Rendering
             return at.TryGetComponent<RobotRig>(out var rig) ? rig : null;
         }
 
-        static PlacedState Of(ICellObject shown) => new PlacedState(shown.State, On(shown.World), shown.IsUnplaced);
+        static PlacedState Of(ICellObject shown) => new PlacedState(shown.SettledState, On(shown.World), shown.IsUnplaced);
 
         static PlacedState Of(RobotRig rig, DisplayFrame frame)
         {

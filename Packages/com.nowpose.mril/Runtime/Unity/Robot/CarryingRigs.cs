@@ -30,7 +30,7 @@ namespace Nowpose.Unity.Robot
                 var link = carrier.LinkAbove(rig.transform, out var place);
                 if (link >= 0 && carrier.Robot.IsMovedByJoints(link))
                 {
-                    if (carrier.Shows != RigPose.Displayed || carrier.Robot.Frame.State != PoseState.Current)
+                    if (carrier.Shows != RigPose.Displayed || carrier.Robot.Frame.SettledState != PoseState.Current)
                         return PlannedPathMessages.CarrierNotCurrent;
                     _carriers.Add((carrier, place, link));
                 }

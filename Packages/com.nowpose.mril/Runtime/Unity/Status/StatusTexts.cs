@@ -128,8 +128,9 @@ namespace Nowpose.Unity.Status
         void UpdateTimes(SessionStatistics statistics)
         {
             var clock = statistics.Clock;
-            var isCoarse = statistics.Pose == PoseState.Current && statistics.IsClockCoarse;
-            Set(StatusRow.Pose, PoseOf(statistics), isCoarse ? CoarseClock.Of(clock.EstimatedError) : StatusMessages.ReasonOf(statistics.Pose, statistics.IsLimitedByBase));
+            var isCoarse = statistics.SettledPose == PoseState.Current && statistics.IsClockCoarse;
+            Set(StatusRow.Pose, PoseOf(statistics), isCoarse ? CoarseClock.Of(clock.EstimatedError)
+                : StatusMessages.ReasonOf(statistics.SettledPose, statistics.IsSettledLimitedByBase));
             Set(StatusRow.Clock, StatusMessages.Of(clock.State), clock.IsKnown ? Bounds.Of(clock.EstimatedError) : "");
             Set(StatusRow.Horizon, Milliseconds.Of(statistics.Horizon), "");
         }
@@ -211,8 +212,8 @@ namespace Nowpose.Unity.Status
         }
 
         static string PoseOf(SessionStatistics statistics) =>
-            statistics.Pose == PoseState.OutsideRange && statistics.OutsideRange == OutsideRangeResponse.Hold
-                ? HeldOutside : Poses[(int)statistics.Pose];
+            statistics.SettledPose == PoseState.OutsideRange && statistics.OutsideRange == OutsideRangeResponse.Hold
+                ? HeldOutside : Poses[(int)statistics.SettledPose];
 
         static string[] WordsOfPoses()
         {

@@ -34,6 +34,7 @@ namespace Nowpose.Session.Cell
         readonly List<SessionRobot> _robots = new List<SessionRobot>();
         readonly DropCounters _drops;
         readonly object _gate;
+        readonly SettledPose _settledTime = new SettledPose();
         DisplayMoment _moment;
 
         /// <param name="gate">Lock of the session.</param>
@@ -123,6 +124,9 @@ namespace Nowpose.Session.Cell
         /// <summary>State of a part of the scene that has no pose of its own, such as one that a signal switches: only the display time limits it.</summary>
         public PoseState StateOfTime => PoseStateRule.Of(_moment, isIncomplete: false, isHeld: false);
 
+        /// <summary>The state that the look of such a part shows, see <see cref="SettledPose"/>.</summary>
+        public PoseState SettledStateOfTime => _settledTime.Over(StateOfTime);
+
         /// <summary>Whether poses of tracked frames wait until the control time is known.</summary>
         public bool IsWaitingForClock => !_moment.Clock.IsKnown;
 
@@ -198,6 +202,7 @@ namespace Nowpose.Session.Cell
         public void Take(in DisplayMoment moment)
         {
             _moment = moment;
+            _settledTime.Add(moment.Start, StateOfTime);
             TakeQueued(moment.Clock);
             _stationaryArrivals.Mark(Tree, moment.Start);
         }

@@ -38,7 +38,7 @@ namespace Nowpose.Tests.Unity.Status
             for (var i = 0; i < count; i++) parts.Add(new Part("object box_" + i));
             var texts = new StatusTexts();
 
-            texts.Update(new SessionStatistics { Pose = PoseState.Held }, Loopback, "test", null, parts: parts);
+            texts.Update(new SessionStatistics { SettledPose = PoseState.Held }, Loopback, "test", null, parts: parts);
 
             var rows = Enumerable.Range((int)StatusRow.FirstPart, 6).Select(row => (StatusRow)row).ToArray();
             var named = count <= 6 ? count : 5;
@@ -55,7 +55,7 @@ namespace Nowpose.Tests.Unity.Status
             for (var i = 0; i < 8; i++) parts.Add(new Part("object box_" + i) { FaultSince = i == 6 ? (ControlTime?)null : ControlTime.FromSeconds(1000 + i) });
             var texts = new StatusTexts();
 
-            texts.Update(new SessionStatistics { Pose = PoseState.Current }, Loopback, "test", null, parts: parts);
+            texts.Update(new SessionStatistics { SettledPose = PoseState.Current }, Loopback, "test", null, parts: parts);
 
             var rows = Enumerable.Range((int)StatusRow.FirstPart, 6).Select(row => texts.ValueOf((StatusRow)row));
             Assert.That(rows, Is.EqualTo(new[] { 6, 7, 5, 4, 3 }.Select(i => "! object box_" + i).Append("! and 3 more")));
@@ -70,7 +70,7 @@ namespace Nowpose.Tests.Unity.Status
             var shown = new List<int>();
             for (var words = 0; words < 200; words += 5)
             {
-                texts.Update(new SessionStatistics { Pose = PoseState.Current }, Loopback, "test", Words(words), parts: parts);
+                texts.Update(new SessionStatistics { SettledPose = PoseState.Current }, Loopback, "test", Words(words), parts: parts);
                 var rows = Enumerable.Range((int)StatusRow.FirstPart, 6).Count(row => texts.IsShown((StatusRow)row));
                 Assert.That(rows, Is.EqualTo(Math.Min(6, Math.Max(0, 7 - texts.MessageLines))), texts.MessageLines + " lines");
                 if (rows > 0) Assert.That(texts.ValueOf(StatusRow.FirstPart + rows - 1), Is.EqualTo("! and " + (21 - rows) + " more"));
@@ -89,7 +89,7 @@ namespace Nowpose.Tests.Unity.Status
             parts.Add(new Part("object lid"));
             var texts = new StatusTexts();
 
-            texts.Update(new SessionStatistics { Pose = pose }, Loopback, "test", null, parts: parts);
+            texts.Update(new SessionStatistics { SettledPose = pose }, Loopback, "test", null, parts: parts);
 
             Assert.That(texts.ValueOf(StatusRow.Objects), Is.EqualTo(StatusMessages.NotCurrent(2)));
             Assert.That(texts.ValueOf(StatusRow.FirstPart), Is.EqualTo("! object lid"));
@@ -125,7 +125,7 @@ namespace Nowpose.Tests.Unity.Status
         {
             var texts = new StatusTexts();
 
-            texts.Update(new SessionStatistics { Pose = PoseState.Held, IsLimitedByBase = true }, Loopback, "test", null);
+            texts.Update(new SessionStatistics { SettledPose = PoseState.Held, IsSettledLimitedByBase = true }, Loopback, "test", null);
 
             Assert.That((texts.ValueOf(StatusRow.Pose), texts.NoteOf(StatusRow.Pose)), Is.EqualTo(("! held", StatusMessages.BaseNotCurrent)));
         }

@@ -109,7 +109,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(PoseState.Incomplete, "! no positions yet")]
         public void Update_PoseState_ShowsItsTextAndMarksAProblem(PoseState pose, string value)
         {
-            var row = Row(StatusRow.Pose, new SessionStatistics { Pose = pose }).Split('|');
+            var row = Row(StatusRow.Pose, new SessionStatistics { SettledPose = pose }).Split('|');
 
             Assert.That(row[0], Is.EqualTo(value));
             Assert.That(row[1].Length > 0, Is.EqualTo(pose != PoseState.Current), "the note states the reason");
@@ -137,7 +137,7 @@ namespace Nowpose.Tests.Unity.Status
         {
             var clock = new ClockModel(default, default, 0, Ms(14), state, estimatedError: Ms(3.14));
 
-            Assert.That(Row(StatusRow.Pose, new SessionStatistics { Pose = pose, Clock = clock }), Is.EqualTo(expected));
+            Assert.That(Row(StatusRow.Pose, new SessionStatistics { SettledPose = pose, Clock = clock }), Is.EqualTo(expected));
         }
 
         [Test]
@@ -181,7 +181,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(OutsideRangeResponse.Hold)]
         public void Update_PoseOutsideRange_HasTheTextOfPoseAppearance(OutsideRangeResponse response)
         {
-            var row = Row(StatusRow.Pose, new SessionStatistics { Pose = PoseState.OutsideRange, OutsideRange = response }).Split('|');
+            var row = Row(StatusRow.Pose, new SessionStatistics { SettledPose = PoseState.OutsideRange, OutsideRange = response }).Split('|');
 
             Assert.That(row[0], Is.EqualTo("! " + PoseLook.Of(PoseState.OutsideRange, response).Label));
             Assert.That(row[1], Is.EqualTo(StatusMessages.RenderingTooLong));
@@ -279,7 +279,7 @@ namespace Nowpose.Tests.Unity.Status
                     for (var reason = RangeUnknownReason.None; reason <= RangeUnknownReason.LongerThanRefresh; reason++)
                     {
                         var model = new ClockModel(default, default, 0, Ms(0.35), clock);
-                        texts.Update(new SessionStatistics { Pose = pose, Clock = model, RangeUnknownReason = reason }, Plain, "", null);
+                        texts.Update(new SessionStatistics { SettledPose = pose, Clock = model, RangeUnknownReason = reason }, Plain, "", null);
                         for (var row = StatusRow.Pose; row < StatusRow.Message; row++)
                         {
                             values.Add(texts.ValueOf(row));

@@ -1,0 +1,117 @@
+using Nowpose.Session;
+using Nowpose.Unity.Cell;
+using Nowpose.Unity.Messages;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Nowpose.Unity.Tests.Rendering;
+
+/// <summary>
+/// Tests the looks and the status panel while samples come near the horizon cap. The poses are then held in some frames and current in others, several
+/// times per second, and must not flash.
+/// </summary>
+public sealed class AlternatingPoseTests : PlayedParts
+{
+    const double HalfASecond = 0.5;
+
+    readonly List<PoseState> _states = [];
+
+    [Test]
+    public void Robot_SamplesComeNearTheHorizonCap_StaysHeld()
+    {
+        var look = Below<RobotRig>("Robot", _session.transform).gameObject.AddComponent<PoseAppearance>();
+        Run(5);
+        Assert.That(look.Look.Label, Is.Empty);
+
+        _cell.SampleSeconds = 0.25;
+        var labels = LabelsIn(5, look, null, () => _session.Frame.State);
+
+        Assert.That(Changes(_states), Is.GreaterThan(20), "the measured state alternates");
+        Assert.That(Changes(labels), Is.EqualTo(1));
+        Assert.That(labels[^1], Is.EqualTo(PoseMessages.Of(PoseState.Held)));
+    }
+
+    [Test]
+    public void Robot_SamplesReturn_IsCurrentAfterHalfASecondOfCurrentFrames()
+    {
+        var look = Below<RobotRig>("Robot", _session.transform).gameObject.AddComponent<PoseAppearance>();
+        Run(5);
+        _cell.IsPlantUp = false;
+        Run(1);
+        _cell.IsPlantUp = true;
+
+        var labels = LabelsIn(2, look, null, () => _session.Frame.State);
+
+        var (current, shown) = (_states.IndexOf(PoseState.Current), labels.IndexOf(""));
+        Assert.That((shown - current) / 60.0, Is.EqualTo(HalfASecond).Within(0.02));
+        Assert.That(labels.Skip(shown), Is.All.Empty);
+    }
+
+    [Test]
+    public void TrackedObject_PosesComeNearTheHorizonCap_StaysHeld()
+    {
+        var box = Below<TrackedObject>("box", _session.transform);
+        var look = box.GetComponent<PoseAppearance>();
+        Run(3, t => SendPose("world", "box", t, Along(0.1 * t)));
+        Assert.That(look.Look.Label, Is.Empty);
+
+        var next = _cell.Now;
+        void SendRarely(double t)
+        {
+            if (_cell.Now < next) return;
+            next = _cell.Now + 0.25;
+            SendPose("world", "box", t, Along(0.1 * t));
+        }
+        var labels = LabelsIn(5, look, SendRarely, () => box.State);
+
+        Assert.That(Changes(_states), Is.GreaterThan(20), "the measured state alternates");
+        Assert.That(Changes(labels), Is.EqualTo(1));
+        Assert.That(labels[^1], Is.EqualTo(PoseMessages.Of(PoseState.Held)));
+    }
+
+    [Test]
+    public void StatusPanel_SamplesComeNearTheHorizonCap_ShowsTheStateOfTheLook()
+    {
+        var panel = new GameObject("Panel");
+        panel.transform.SetParent(_session.transform, false);
+        var text = Below<TextMesh>("Text", panel.transform);
+        var texts = panel.AddComponent<StatusPanel>().With("_cell", text).With("_refreshSeconds", 0.1f).Texts;
+        var box = Below<TrackedObject>("box", _session.transform);
+        Run(5, t => SendPose("world", "box", t, Along(0.1 * t)));
+        string Shown() => texts.ValueOf(Unity.Status.StatusRow.Pose) + " | " + texts.ValueOf(Unity.Status.StatusRow.Objects);
+        Assert.That(Shown(), Is.EqualTo(PoseMessages.Of(PoseState.Current) + " | 1 current"));
+
+        _cell.SampleSeconds = 0.25;
+        var next = _cell.Now;
+        var shown = new List<string>();
+        void Send(double t)
+        {
+            if (_cell.Now < next) return;
+            next = _cell.Now + 0.25;
+            SendPose("world", "box", t, Along(0.1 * t));
+        }
+        Run(1, Send);
+        Run(5, Send, () =>
+        {
+            shown.Add(Shown());
+            _states.Add(box.State);
+        });
+
+        Assert.That(Changes(_states), Is.GreaterThan(20), "the measured state alternates");
+        Assert.That(shown, Is.All.EqualTo("! " + PoseMessages.Of(PoseState.Held) + " | " + StatusMessages.NotCurrent(1)));
+    }
+
+    List<string> LabelsIn(double seconds, PoseAppearance look, Action<double> send, Func<PoseState> state)
+    {
+        _states.Clear();
+        var labels = new List<string>();
+        Run(seconds, send, () =>
+        {
+            _states.Add(state());
+            labels.Add(look.Look.Label);
+        });
+        return labels;
+    }
+
+    static int Changes<T>(IReadOnlyList<T> values) => Enumerable.Range(1, values.Count - 1).Count(i => !Equals(values[i], values[i - 1]));
+}
