@@ -197,9 +197,10 @@ public sealed class CellActionsTests
         Assert.That(Find<PoseAppearance>("Ghost").Opacity, Is.EqualTo(1));
     }
 
-    [TestCase(0f, 0.8f)]
-    [TestCase(0.9f, 0.5f)]
-    public void SetOpacity_PoseIsHeld_KeepsStripesAndMinimumOpacity(float opacity, float fade)
+    [TestCase(0f, 1f)]
+    [TestCase(0.5f, 0.8f)]
+    [TestCase(1f, 0.5f)]
+    public void SetOpacity_PoseIsHeld_KeepsStripesAndIsFainterThanACurrentPose(float opacity, float fade)
     {
         _actions.SetOpacity(opacity);
 

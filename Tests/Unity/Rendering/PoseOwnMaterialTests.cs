@@ -84,6 +84,51 @@ public sealed class PoseOwnMaterialTests
         Assert.That(block.GetColor("_Color").a, Is.EqualTo(0.6f).Within(1e-6));
     }
 
+    [TestCase(1f, 1f, 0.6f)]
+    [TestCase(0.8f, 0.84f, 0.504f)]
+    [TestCase(0.5f, 0.6f, 0.36f)]
+    [TestCase(0f, 0.2f, 0.12f)]
+    public void Opacity_BlendedPart_IsFainterWhileNotCurrentAtAnyOpacity(float opacity, float current, float held)
+    {
+        _played.Tool.sharedMaterial = Blended("_Color", 1);
+        _played.Appearance.Opacity = opacity;
+        var block = new MaterialPropertyBlock();
+        float Alpha()
+        {
+            _played.Tool.GetPropertyBlock(block);
+            return block.HasColor(Shader.PropertyToID("_Color")) ? block.GetColor("_Color").a : 1;
+        }
+        _played.BeCurrent();
+        Assert.That(Alpha(), Is.EqualTo(current).Within(1e-6));
+
+        _played.Hold();
+        Assert.That(Alpha(), Is.EqualTo(held).Within(1e-6));
+        _played.Cell.Player.Pause(true);
+        Assert.That(Alpha(), Is.EqualTo(Math.Max(0.36f * current, 0.1f)).Within(1e-6), "no session");
+    }
+
+    [TestCase(1f, 0f, 0.5f)]
+    [TestCase(0.5f, 0.5f, 0.8f)]
+    [TestCase(0f, 1f, 1f)]
+    public void Opacity_PatternedPart_IsStripedAndNotBrighterWhileNotCurrent(float opacity, float current, float held)
+    {
+        _played.Tool.sharedMaterials = Of(Sort.Patterned);
+        _played.Appearance.Opacity = opacity;
+        var block = new MaterialPropertyBlock();
+        (float Fade, float Hatch) Look()
+        {
+            _played.Tool.GetPropertyBlock(block);
+            return (block.GetFloat(Shader.PropertyToID("_Fade")), block.GetFloat(Shader.PropertyToID("_Hatch")));
+        }
+        _played.BeCurrent();
+        Assert.That(Look().Fade, Is.EqualTo(current).Within(1e-6));
+        Assert.That(Look().Hatch, Is.EqualTo(0));
+
+        _played.Hold();
+        Assert.That(Look().Fade, Is.EqualTo(held).Within(1e-6));
+        Assert.That(Look().Hatch, Is.EqualTo(1));
+    }
+
     [Test]
     public void Show_PatternReplacedByAnOppositeFade_DoesNotChangeTheNewMaterial()
     {

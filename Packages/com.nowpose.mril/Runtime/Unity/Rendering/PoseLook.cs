@@ -15,6 +15,9 @@ namespace Nowpose.Unity.Rendering
         /// <summary>Look of an object that has not been placed yet. It is visible, so that the user can grasp it.</summary>
         public static readonly PoseLook Unplaced = new PoseLook(StatusMessages.NotPlaced, PoseMessages.NotPlaced, 0.5f);
 
+        /// <summary>Fraction of the opacity that a part loses at a fade of 1, as in NowposePose.hlsl.</summary>
+        public const float OpacityLoss = 0.8f;
+
         /// <summary>
         /// Minimum fade of a striped look. A part that is smaller than a stripe (1 cm) may lie between two stripes; then only the fade marks it.
         /// </summary>
@@ -69,12 +72,10 @@ namespace Nowpose.Unity.Rendering
             }
         }
 
-        /// <summary>
-        /// Returns the fade for a reduced opacity. A reduced opacity does not make a pose that is not current fainter than
-        /// <see cref="NoSession"/>, the faintest look.
-        /// </summary>
-        /// <param name="opacity">Opacity from 0 (maximum reduction) to 1 (not reduced).</param>
-        public float FadeAt(float opacity) => Mathf.Max(Fade, IsHatched ? Mathf.Min(1 - opacity, NoSession.Fade) : 1 - opacity);
+        /// <summary>Returns the fade that reduces the opacity by the product of two reductions, so that a pose with both is fainter than with one.</summary>
+        /// <param name="fade">Fade from 0 to 1, as is <paramref name="other"/>.</param>
+        /// <returns>A value above 1 if the remaining opacity is less than a fifth.</returns>
+        public static float Combined(float fade, float other) => fade + other * (1 - OpacityLoss * fade);
 
         /// <summary>
         /// Returns a striped look with an additional reason. Its fade is the larger of this look's fade and <paramref name="fade"/>. Its text and

@@ -7,11 +7,11 @@ namespace Nowpose.Unity.Rendering
     /// <summary>One renderer whose look shows the state of a pose. Stores and restores the original look of the renderer.</summary>
     sealed class PosePart
     {
-        /// <summary>Fraction of the opacity that a part loses at a fade of 1, as in NowposePose.hlsl.</summary>
-        const float OpacityLoss = 0.8f;
-
         /// <summary>Minimum fade of a part that cannot show stripes, in states in which other parts are striped.</summary>
         const float MinFadeWithoutStripes = 0.5f;
+
+        /// <summary>Maximum fade of such a part: a tenth of its opacity remains, half of that of a current part at the minimum opacity.</summary>
+        const float MaxFadeWithoutStripes = 1.125f;
 
         readonly Renderer _renderer;
         readonly Transform _root;
@@ -137,16 +137,17 @@ namespace Nowpose.Unity.Rendering
             Examine();
             _isHidden = false;
             (_look, _opacity) = (look, opacity);
-            var fade = look.FadeAt(opacity);
+            var fade = PoseLook.Combined(look.Fade, 1 - opacity);
             _isMarked = look.IsHatched || fade > 0;
             switch (_material.Means)
             {
                 case PoseMeans.Pattern:
                     TakePattern();
-                    SetPattern(Mathf.Max(_ownFade, fade), look.IsHatched ? 1 : _ownHatch);
+                    SetPattern(Mathf.Clamp(fade, _ownFade, 1), look.IsHatched ? 1 : _ownHatch);
                     break;
                 case PoseMeans.Alpha:
-                    SetAlpha(look.IsHatched ? Mathf.Max(fade, MinFadeWithoutStripes) : fade);
+                    var own = look.IsHatched ? Mathf.Max(look.Fade, MinFadeWithoutStripes) : look.Fade;
+                    SetAlpha(Mathf.Min(PoseLook.Combined(own, 1 - opacity), MaxFadeWithoutStripes));
                     break;
                 case PoseMeans.None:
                     if (!look.IsHatched) RestoreMaterials();
@@ -221,7 +222,7 @@ namespace Nowpose.Unity.Rendering
                     else if (_block.HasFloat(PoseMaterial.FadeId)) ownFade = _block.GetFloat(PoseMaterial.FadeId);
                 }
                 if (!own.isEmpty) _renderer.GetPropertyBlock(_block, i);
-                _block.SetFloat(PoseMaterial.FadeId, Mathf.Max(ownFade, fade));
+                _block.SetFloat(PoseMaterial.FadeId, Mathf.Clamp(fade, ownFade, 1));
                 _block.SetFloat(PoseMaterial.HatchId, 1);
                 _renderer.SetPropertyBlock(_block, i);
             }
@@ -255,7 +256,7 @@ namespace Nowpose.Unity.Rendering
             _renderer.SetPropertyBlock(_block);
         }
 
-        /// <param name="fade">Fade from 0 (restores the original colour) to 1.</param>
+        /// <param name="fade">Fade from 0 (restores the original colour) to <see cref="MaxFadeWithoutStripes"/>.</param>
         void SetAlpha(float fade)
         {
             if (fade <= 0 && !_isAlphaSet) return;
@@ -267,7 +268,7 @@ namespace Nowpose.Unity.Rendering
             }
             _isAlphaSet = fade > 0;
             var colour = _ownColour ?? _renderer.sharedMaterial.GetColor(_material.Colour);
-            colour.a *= 1 - OpacityLoss * fade;
+            colour.a *= 1 - PoseLook.OpacityLoss * fade;
             _block.SetColor(_material.Colour, colour);
             // Removes the whole block if the part had none: a colour in the block would override later changes of the material's colour.
             _renderer.SetPropertyBlock(_isAlphaSet || _hadBlock ? _block : null);
