@@ -69,6 +69,11 @@ function assertRight(seen) {
 }
 
 const synchronised = page => page.waitForSelector('body[data-state="synchronised"]', { timeout: 60_000 });
+/** Presses the button after the warning about the flashing code, and waits until the page is synchronised. */
+async function start(page) {
+  await page.click('#show');
+  await synchronised(page);
+}
 const unsynchronised = (page, why) => page.waitForFunction(
   why => document.body.dataset.state === 'not synchronised' && document.getElementById('code').hidden
     && document.getElementById('warning').textContent.includes(why), why, { timeout: 60_000 });
@@ -94,7 +99,7 @@ describe('the page of the control clock\'s code', () => {
 
   it('shows the control time of each frame', async () => {
     const page = await open(await (gateway = new ClockGateway()).start());
-    await synchronised(page);
+    await start(page);
 
     for (let i = 0; i < 3; i++) assertRight(await sight(page));
 
@@ -110,7 +115,7 @@ describe('the page of the control clock\'s code', () => {
 
   it('shows no code while the gateway is down, and the new time after its restart', async () => {
     const page = await open(await (gateway = new ClockGateway()).start());
-    await synchronised(page);
+    await start(page);
 
     gateway.stop();
     await unsynchronised(page, gatewayReasons.noAnswer);
@@ -169,11 +174,35 @@ describe('the page of the control clock\'s code', () => {
     assert.ok(!kept.includes('sesame') && !(await page.content()).includes('sesame'));
   });
 
-  it('fills the screen with a readable code in any window when F is pressed', async () => {
-    const page = await open(await (gateway = new ClockGateway()).start(), { viewport: { width: 500, height: 900 } });
+  it('shows the flashing code only after its warning was read and a button pressed', async () => {
+    const page = await open(await (gateway = new ClockGateway()).start());
     await synchronised(page);
 
+    const isVisible = () => Promise.all(['#code', '#start', '#hide'].map(id => page.locator(id).isVisible()));
+    assert.deepEqual(await isVisible(), [false, true, false]);
+    assert.match(await page.locator('#start').textContent(), /flashes.*sensitive to flashing light/);
+
     await page.keyboard.press('f');
+    await page.mouse.click(5, 5);
+    assert.deepEqual(await isVisible(), [false, true, false]);
+    assert.equal(await page.evaluate(() => document.fullscreenElement), null, 'neither a letter nor a click beside the buttons has an effect');
+
+    await page.click('#show');
+    await page.waitForSelector('#code:not([hidden])');
+    assert.deepEqual((await isVisible()).slice(1), [false, true]);
+    assert.equal(await page.evaluate(() => document.activeElement.id), 'hide');
+
+    await page.keyboard.press('Enter');
+    await page.waitForSelector('#code', { state: 'hidden' });
+    assert.deepEqual(await isVisible(), [false, true, false]);
+    assert.equal(await page.evaluate(() => document.activeElement.id), 'show');
+  });
+
+  it('fills the screen with a readable code in any window', async () => {
+    const page = await open(await (gateway = new ClockGateway()).start(), { viewport: { width: 500, height: 900 } });
+    await start(page);
+
+    await page.click('#full-screen');
     await page.waitForFunction(() => document.fullscreenElement != null);
     const isLargeSquare = box => box !== null && box.width > 300 && Math.abs(box.width - box.height) < 2;
     const box = await drawn(() => page.locator('#code').boundingBox(), isLargeSquare);
@@ -189,9 +218,9 @@ describe('the page of the control clock\'s code', () => {
       delete Element.prototype.requestFullscreen;
     });
     await page.reload();
-    await synchronised(page);
+    await start(page);
 
-    await page.keyboard.press('f');
+    await page.click('#full-screen');
 
     assertRight(await sight(page));
     assert.deepEqual(page.faults, []);
@@ -202,7 +231,7 @@ describe('the page of the control clock\'s code', () => {
     const child = spawn('dotnet', [gateways[0], 'serve', '--ws-port', '0', '--sync-port', '0', ...clock]);
     try {
       const page = await open(await announced(child));
-      await synchronised(page);
+      await start(page);
 
       assertRight(await sight(page));
     } finally {

@@ -9,6 +9,9 @@ const NS_PER_MS = 1_000_000n;
 
 const canvas = byId<HTMLCanvasElement>('code');
 const warning = byId('warning');
+const start = byId('start');
+const showButton = byId('show');
+const hideButton = byId('hide');
 const time = byId('time');
 const facts = byId('facts');
 const form = byId<HTMLFormElement>('token');
@@ -31,7 +34,7 @@ function draw(value: number): void {
 }
 
 function show(why: string | null, ns: bigint, boundMs: number): void {
-  canvas.hidden = why != null;
+  canvas.hidden = why != null || !start.hidden;
   warning.hidden = why == null;
   document.body.dataset.state = why == null ? 'synchronised' : 'not synchronised';
   if (why != null) {
@@ -39,7 +42,7 @@ function show(why: string | null, ns: bigint, boundMs: number): void {
     time.textContent = facts.textContent = '';
     return;
   }
-  draw(Number((ns / NS_PER_MS) % BigInt(PERIOD_MS)));
+  if (!canvas.hidden) draw(Number((ns / NS_PER_MS) % BigInt(PERIOD_MS)));
   time.textContent = clockCodeLabels.controlTime(seconds(ns));
   facts.textContent = `${clockCodeMessages.errorBound(boundMs)} ${delayInWords()}`;
 }
@@ -65,6 +68,13 @@ function frame(at: number): void {
   show(reading == null ? (why ?? clockCodeReasons.noExchange) : why, reading?.ns ?? 0n, reading?.boundMs ?? 0);
 }
 
+/** Shows or hides the code. It flashes, so it is not shown before the user has read the warning. */
+function setShown(isShown: boolean): void {
+  start.hidden = isShown;
+  hideButton.hidden = !isShown;
+  (isShown ? hideButton : showButton).focus();
+}
+
 async function toggleFullScreen(): Promise<void> {
   if (document.fullscreenElement) return document.exitFullscreen();
   // An iPhone has no full screen.
@@ -79,12 +89,9 @@ form.addEventListener('submit', event => {
   input.value = '';
   form.hidden = true;
 });
-addEventListener('click', event => {
-  if (!form.contains(event.target as Node)) void toggleFullScreen();
-});
-addEventListener('keydown', event => {
-  if (event.key.toLowerCase() === 'f' && event.target !== input && !event.ctrlKey && !event.metaKey && !event.altKey) void toggleFullScreen();
-});
+showButton.addEventListener('click', () => setShown(true));
+hideButton.addEventListener('click', () => setShown(false));
+byId('full-screen').addEventListener('click', () => void toggleFullScreen());
 requestAnimationFrame(frame);
 void exchanges.run();
 byId('starting').remove();
