@@ -183,6 +183,20 @@ public sealed class HoloLensTests
                 Assert.That(Apart(a.transform, b.transform), Is.GreaterThanOrEqualTo(32), a.name + " and " + b.name);
     }
 
+    // MRTK3 shows the keyword beside the button that the wearer looks at. If a voice command had the same phrase, a toggle would switch twice.
+    [Test]
+    public void SampleButtons_All_HaveTheirLabelAsKeyword()
+    {
+        var buttons = _sample.Roots.SelectMany(r => r.GetComponentsInChildren<PressableButton>(true)).ToList();
+
+        Assert.That(buttons.Select(button => button.SpeechRecognitionKeyword), Is.EquivalentTo(new[]
+        {
+            "connect", "lock base", "panel", "ghost", "occlusion", "forget cell", "no nudge", "stay", "close", "accept", "refuse",
+        }));
+        Assert.That(buttons.Where(button => !button.AllowSelectByVoice).Select(button => button.name), Is.EqualTo(new[] { "Accept" }));
+        Assert.That(_sample.Speech.GetAllKeywords().Keys, Is.Not.Empty.And.All.StartsWith("overlay "));
+    }
+
     static bool IsShownIn(Transform root, Transform part)
     {
         for (var at = part; at != root; at = at.parent)

@@ -18,11 +18,20 @@ public class StatefulInteractable : MRTKBaseInteractable
 
     [field: SerializeField] public UnityEvent OnClicked { get; private set; } = new();
 
+    /// <summary>Throws before the first <see cref="Awake"/>, as in MRTK3 core 3.0.</summary>
     public bool AllowSelectByVoice
     {
         get => allowSelectByVoice;
-        set => allowSelectByVoice = value;
+        set
+        {
+            if (value == allowSelectByVoice) return;
+            interactionManager.UnregisterInteractable(this);
+            allowSelectByVoice = value;
+            interactionManager.RegisterInteractable(this);
+        }
     }
+
+    internal string SpeechRecognitionKeyword => speechRecognitionKeyword;
 
     public void ForceSetToggled(bool active) => IsToggled.Active = active;
 

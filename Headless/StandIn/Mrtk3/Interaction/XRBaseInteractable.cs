@@ -8,7 +8,10 @@ public abstract class XRBaseInteractable : MonoBehaviour
     public SelectEnterEvent firstSelectEntered { get; set; } = new();
     public SelectExitEvent lastSelectExited { get; set; } = new();
 
-    protected virtual void Awake() { }
+    /// <summary>The manager; null before the object is first active.</summary>
+    internal XRInteractionManager interactionManager { get; set; }
+
+    protected virtual void Awake() => interactionManager ??= new XRInteractionManager();
 
     /// <summary>Simulates an interactor that takes hold of the object. Does nothing if the object is inactive, as in Unity.</summary>
     internal void Enter()

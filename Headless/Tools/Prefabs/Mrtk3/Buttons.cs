@@ -22,21 +22,24 @@ sealed class Buttons
     }
 
     /// <summary>Adds a button with text in place of an icon, because only MRTK3's own font contains icons.</summary>
-    public PressableButton Button(string name, string words, Vector2 place)
+    /// <param name="keyword">The word that selects the button by voice while the wearer looks at it, and that MRTK3 shows at the button; null for
+    /// <paramref name="words"/>.</param>
+    public PressableButton Button(string name, string words, Vector2 place, string keyword = null)
     {
         var made = Instance(ForeignPaths.Button, name, place);
         made.transform.Find("Icon").gameObject.SetActive(false);
         var text = made.transform.Find("Text").gameObject;
         text.SetActive(true);
         text.GetComponent<TextMeshProUGUI>().m_text = words;
-        return made.GetComponent<PressableButton>();
+        return Spoken(made, keyword ?? words);
     }
 
-    public PressableButton Toggle(string name, string words, Vector2 place)
+    /// <inheritdoc cref="Button"/>
+    public PressableButton Toggle(string name, string words, Vector2 place, string keyword = null)
     {
         var made = Instance(ForeignPaths.Toggle, name, place);
         made.transform.Find("Icon/Label").GetComponent<TextMeshProUGUI>().m_text = words;
-        var toggle = made.GetComponent<PressableButton>();
+        var toggle = Spoken(made, keyword ?? words);
         toggle.ToggleMode = StatefulInteractable.ToggleType.Toggle;
         return toggle;
     }
@@ -50,6 +53,13 @@ sealed class Buttons
         Fields.Set(slider, "maxValue", max);
         Fields.Set(slider, "value", value);
         return slider;
+    }
+
+    static PressableButton Spoken(GameObject made, string words)
+    {
+        var button = made.GetComponent<PressableButton>();
+        Fields.Set(button, "speechRecognitionKeyword", words.ToLowerInvariant());
+        return button;
     }
 
     GameObject Instance(string path, string name, Vector2 place)

@@ -20,7 +20,7 @@ static class Graspable
         Fields.Set(manipulator, "hostTransform", host != null ? host : made.transform);
         manipulator.AllowedManipulations = TransformFlags.Move | TransformFlags.Rotate;
         // Disables selection by voice, because a voice command can only click the object and not move it.
-        manipulator.AllowSelectByVoice = false;
+        Fields.Set(manipulator, "allowSelectByVoice", false);
         return manipulator;
     }
 

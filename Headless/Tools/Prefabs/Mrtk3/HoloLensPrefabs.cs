@@ -69,9 +69,9 @@ static class HoloLensPrefabs
         canvas.localScale = Vector3.one * BarUnit;
         Canvases.AddGround(assets, canvas, new Vector3(0, 0, 4), new Vector2(BarWidth / BarUnit, BarHeight / BarUnit));
         var buttons = new Buttons(assets, canvas);
-        pin = buttons.Toggle("Pin", "", new Vector2(-170, 0));
+        pin = buttons.Toggle("Pin", "", new Vector2(-170, 0), keyword: "stay");
         AddWord(assets, "Stay", canvas, new Vector3(-120, 0, 0));
-        close = buttons.Button("Close", "×", new Vector2(170, 0));
+        close = buttons.Button("Close", "×", new Vector2(170, 0), keyword: "close");
         AddWord(assets, "Close", canvas, new Vector3(115, 0, 0));
         // The grasped area is between the two labels, so that pressing a button does not move the panel.
         handle = Graspable.Make(content, panel, new Vector3(12, BarHeight, 0.6f));
@@ -102,6 +102,8 @@ static class HoloLensPrefabs
         var buttons = new Buttons(assets, canvas);
         var accept = buttons.Button("Accept", "Accept", new Vector2(-40, -60));
         var refuse = buttons.Button("Refuse", "Refuse", new Vector2(40, -60));
+        // The component does the same for the buttons of the user's own prompts. MRTK3 then also shows no label with a keyword.
+        Fields.Set(accept, "allowSelectByVoice", false);
         Fields.Set(prompt, "_content", content);
         Fields.Set(prompt, "_question", question);
         Fields.Set(prompt, "_accept", accept);

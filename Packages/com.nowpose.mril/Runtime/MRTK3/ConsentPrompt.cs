@@ -8,11 +8,11 @@ using UnityEngine;
 namespace Nowpose.Mrtk3
 {
     /// <summary>
-    /// Shows the question that a pairing asks the wearer, with one button to accept and one to decline. Voice commands do not press these buttons.
+    /// Shows the question that a pairing asks the wearer, with one button to accept and one to decline. Voice commands do not press the first button.
     /// </summary>
     /// <remarks>
     /// Speech recognition makes mistakes, and the microphone also picks up other people. The wearer therefore accepts a gateway by hand or by
-    /// gaze and pinch.
+    /// gaze and pinch. Declining by voice is possible: it changes nothing, and the question can be asked again.
     /// </remarks>
     [AddComponentMenu("Nowpose/Consent Prompt")]
     [DisallowMultipleComponent]
@@ -67,8 +67,6 @@ namespace Nowpose.Mrtk3
         {
             if (_pairing == null) _pairing = GetComponentInParent<CellPairing>();
             if (_pairing == null) ConsoleLog.Warn(this, Mrtk3Messages.PromptWithoutPairing(name));
-            if (_accept != null) _accept.AllowSelectByVoice = false;
-            if (_refuse != null) _refuse.AllowSelectByVoice = false;
             Show(null);
         }
 
@@ -84,6 +82,15 @@ namespace Nowpose.Mrtk3
             _shownAt = Time.unscaledTime;
             if (_question != null) _question.text = question == null ? "" : WrappedText.Of(question, LineWidth);
             if (_content != null) _content.SetActive(question != null);
+            if (question == null) return;
+            AllowVoice(_accept, false);
+            AllowVoice(_refuse, true);
+        }
+
+        // MRTK3 before 3.1 throws if the property is changed before the button is first active.
+        static void AllowVoice(StatefulInteractable button, bool isAllowed)
+        {
+            if (button != null && button.isActiveAndEnabled) button.AllowSelectByVoice = isAllowed;
         }
     }
 }
