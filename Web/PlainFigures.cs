@@ -9,7 +9,7 @@ namespace Nowpose.Web;
 public static class PlainFigures
 {
     // Defines the colours that the drawings refer to by name.
-    const string Style = "body{color-scheme:light;--truth:#b9c2cc;--hold:#d9741a;--adaptive:#0b4a8f;--quadratic:#00856f;--ink:#16202c;"
+    const string Style = "body{color-scheme:light;--truth:#8a95a0;--hold:#d9741a;--adaptive:#0b4a8f;--quadratic:#00856f;--ink:#16202c;"
         + "--muted:#55616f;--surface:#fff}svg{width:20rem;max-width:100%}";
 
     /// <param name="page">Data as for <see cref="Pages.Figures"/>.</param>

@@ -160,10 +160,10 @@ describe('any window and any text', () => {
 
   it('distinguishes Nowpose\u2019s, the paper\u2019s and the uncompensated signals by lightness, from each other and from the page', async () => {
     for (const [colorScheme, page] of Object.entries({ light: complete, dark })) {
-      const [adaptive, gp, quadratic, cubic, linear, surface] = await luminance(
-        page, ['--adaptive', '--gp', '--quadratic', '--cubic', '--linear', '--surface']);
+      const [adaptive, gp, quadratic, cubic, linear, truth, surface] = await luminance(
+        page, ['--adaptive', '--gp', '--quadratic', '--cubic', '--linear', '--truth', '--surface']);
       assert.ok(contrast(adaptive, quadratic) > 1.5, `${colorScheme}: adaptive and quadratic`);
-      for (const [name, ink] of Object.entries({ adaptive, gp, quadratic, cubic, linear })) {
+      for (const [name, ink] of Object.entries({ adaptive, gp, quadratic, cubic, linear, truth })) {
         assert.ok(contrast(ink, surface) > 3, `${colorScheme}: ${name} on the page, ${contrast(ink, surface)}`);
       }
     }

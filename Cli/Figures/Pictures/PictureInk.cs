@@ -9,7 +9,7 @@ readonly record struct PictureInk(string Colour, double Width, string Dash)
 
     public static PictureInk Of(string look) => look switch
     {
-        Looks.Truth => new("#b9c2cc", 5, ""),
+        Looks.Truth => new("#8a95a0", 5, ""),
         Looks.Hold => new("#d9741a", 1.5, "5 3"),
         Looks.Adaptive => new("#0b4a8f", 2.5, ""),
         Looks.Process => new("#b3261e", 2, "4 2"),
