@@ -35,6 +35,12 @@ describe('the pairing page', () => {
     assert.deepEqual(await changes(), [gatewayReasons.noAnswer]);
   });
 
+  it('fits a window of 320 px', async () => {
+    await page.setViewportSize({ width: 320, height: 640 });
+
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= 320);
+  });
+
   it('accepts numbers as phones write them, and names the fields that are not numbers', async () => {
     const offsets = page.locator('[data-offset]');
     for (const [i, value] of ['0,25', '\u22120.1', '0', '0', '0', '90'].entries()) await offsets.nth(i).fill(value);
