@@ -26,5 +26,7 @@ export function listTerms(page: HTMLElement): void {
   const found = new Map([...page.querySelectorAll('abbr')].map(({ textContent, title }) => [textContent!, title]));
   const names = [...found.keys()].sort((a, b) => a.localeCompare(b));
   const list = el('dl', {}, ...names.flatMap(name => [el('dt', {}, name), el('dd', {}, found.get(name)!)]));
-  if (names.length > 0) page.append(el('details', { class: 'terms' }, el('summary', {}, termLabels.list), list));
+  if (names.length === 0) return;
+  const footer = page.querySelector('footer') ?? page.appendChild(el('footer'));
+  footer.append(el('details', { class: 'terms' }, el('summary', {}, termLabels.list), list));
 }

@@ -3,6 +3,7 @@ import { before, describe, it } from 'node:test';
 import { calibration } from './calibrationSample.mjs';
 import { explainedTerms } from './glossary.mjs';
 import { hasInk } from './inks.mjs';
+import { repeatedLandmarks } from './landmarks.mjs';
 import { opener } from './pages.mjs';
 
 const HOSTILE = '</script><script>alert(1)</script><img src=x onerror=alert(2)>';
@@ -37,6 +38,11 @@ describe('the calibration page', () => {
 
   it('explains terms of the glossary on hover', async () => {
     assert.deepEqual(await explainedTerms(complete), ['L_visu']);
+  });
+
+  it('has no landmark with the same name twice, and the terms in a landmark', async () => {
+    assert.deepEqual(await repeatedLandmarks(complete), []);
+    assert.equal(await complete.locator('footer .terms').count(), 1);
   });
 
   it('opens without an error or a request, with the result first', async () => {

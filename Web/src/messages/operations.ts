@@ -60,6 +60,8 @@ export const operationsLabels = {
 export const recorderLabels = {
   record: 'Record',
   stop: 'Stop recording',
+  hasStarted: 'recording started',
+  hasStopped: 'recording stopped',
   off: 'off',
   recording: (file: string, size: string) => `recording ${file}: ${size}`,
   stopped: (file: string, size: string) => `stopped; last ${file}: ${size}`,

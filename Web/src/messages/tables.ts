@@ -1,5 +1,6 @@
 /** Captions and labels of the tables in the report and in the paper's figures. */
 export const tableLabels = {
+  region: (name: string) => `${name} table`,
   name: 'Name',
   value: 'Value',
   comparison: 'Uncompensated against compensated',

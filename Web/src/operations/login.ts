@@ -22,11 +22,14 @@ export class Login {
    */
   show(isNeeded: boolean, isLoggedIn: boolean): void {
     this.isLoggedIn = isLoggedIn;
-    byId('logout').hidden = !isLoggedIn;
+    const logOut = byId('logout');
+    const isLogOutFocused = document.activeElement === logOut;
+    logOut.hidden = !isLoggedIn;
     if (this.form.hidden === !isNeeded) return;
     // Moves the focus before the focused element is hidden. Otherwise, the focus would move to the top of the page.
     if (!isNeeded && this.form.contains(document.activeElement)) byId('content').focus();
     this.form.hidden = !isNeeded;
+    if (isNeeded && isLogOutFocused) this.token.focus();
   }
 
   private async logIn(changed: () => void): Promise<void> {

@@ -9,6 +9,8 @@ const MAX_ALARMS = 8;
 /** Shows title, status line and alarms at the top of the page. */
 export class Overall {
   private readonly line = byId('status');
+  private readonly condition = byId('condition');
+  private readonly detail = byId('detail');
   private readonly alarms = byId('alarms');
   private title = document.title;
 
@@ -22,6 +24,7 @@ export class Overall {
     this.setLine(
       level,
       status ? operationsLabels.level(levelLabels[level], withSince(status.text, status.since_utc)) : operationsMessages.stateNotReported,
+      status && (level === 'ok' ? levelLabels.ok : operationsLabels.level(levelLabels[level], status.text)),
     );
     this.alarms.classList.remove('stale');
     this.showAlarms((events ?? []).filter(event => !event.until_utc));
@@ -34,9 +37,13 @@ export class Overall {
     this.alarms.classList.add('stale');
   }
 
-  private setLine(level: Level | 'unknown', text: string): void {
+  /**
+   * @param condition Start of the text, whose changes screen readers speak. While all is well, it has no counts, because they change often.
+   */
+  private setLine(level: Level | 'unknown', text: string, condition = text): void {
     this.line.className = `level ${level}`;
-    setText(this.line, text);
+    setText(this.condition, condition);
+    setText(this.detail, text.slice(condition.length));
   }
 
   private showAlarms(active: StatusEvent[]): void {

@@ -27,9 +27,15 @@ export class Recorder {
   }
 
   private async turn(changed: () => void): Promise<void> {
-    this.button.disabled = true;
-    const answer = await ask<Recording>('/operations/recording', { on: String(!this.isOn) });
-    setText(byId('record-fault'), 'trouble' in answer ? answer.trouble : '');
+    // Not disabled, because a disabled button loses the focus.
+    if (this.button.ariaDisabled === 'true') return;
+    this.button.ariaDisabled = 'true';
+    const isWanted = !this.isOn;
+    const answer = await ask<Recording>('/operations/recording', { on: String(isWanted) });
+    this.button.ariaDisabled = null;
+    const trouble = 'trouble' in answer ? answer.trouble : '';
+    setText(byId('record-fault'), trouble);
+    setText(byId('record-done'), trouble ? '' : isWanted ? recorderLabels.hasStarted : recorderLabels.hasStopped);
     changed();
   }
 }

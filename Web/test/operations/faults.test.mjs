@@ -13,7 +13,7 @@ describe('the operations page with faults', () => {
   });
 
   /** Cells in the row of a joint: source, state, since, rate, age. */
-  const jointCells = (page, name) => page.locator(`[aria-label="Joints"] tr:has(th:text-is("${name}")) td`).allInnerTexts();
+  const jointCells = (page, name) => page.locator(`[aria-label="Joints table"] tr:has(th:text-is("${name}")) td`).allInnerTexts();
 
   function fail() {
     Object.assign(gateway.state.joints[2], refused);
@@ -47,7 +47,7 @@ describe('the operations page with faults', () => {
     const [source, state, since, rate, age] = await jointCells(page, 'arm_joint_3');
     assert.deepEqual([source, state, rate, age], ['press', 'refused', '0', '95\u00a0s']);
     assert.match(since, /\d\d:\d\d:\d\d$/);
-    assert.equal(await page.locator('[aria-label="Joints"] tbody:has(th:text-is("arm_joint_3")) .note').innerText(), refused.reason);
+    assert.equal(await page.locator('[aria-label="Joints table"] tbody:has(th:text-is("arm_joint_3")) .note').innerText(), refused.reason);
     assert.deepEqual((await jointCells(page, 'arm_joint_2')).slice(0, 2), ['press', 'live'], 'the other joints stay live');
 
     Object.assign(gateway.state.joints[2], gateway.state.joints[1], { name: 'arm_joint_3' });
@@ -93,8 +93,8 @@ describe('the operations page with faults', () => {
     Object.assign(gateway.state.joints[0], { state: 'rest', reason: 'no change is reported', uncertain: why });
     Object.assign(gateway.state.joints[1], { state: 'rest', reason: 'no change is reported' });
     const page = await open();
-    const badge = name => page.locator(`[aria-label="Joints"] tr:has(th:text-is("${name}")) .level`);
-    const note = name => page.locator(`[aria-label="Joints"] tbody:has(th:text-is("${name}")) .note`).innerText();
+    const badge = name => page.locator(`[aria-label="Joints table"] tr:has(th:text-is("${name}")) .level`);
+    const note = name => page.locator(`[aria-label="Joints table"] tbody:has(th:text-is("${name}")) .note`).innerText();
 
     assert.deepEqual([await badge('arm_joint_1').innerText(), await badge('arm_joint_1').getAttribute('class')], [stateLabels.uncertainRest, 'level warning']);
     assert.equal(await note('arm_joint_1'), `no change is reported; ${why}`);
@@ -181,7 +181,7 @@ describe('the operations page with faults', () => {
 
     assert.deepEqual((await cells(page, 'left door')).slice(0, 2), Array(2).fill(stateLabels.coarse('3\u00a0ms')));
     assert.equal(await page.textContent('#clock'), `${stateLabels.coarse('4\u00a0ms')}, ${clockLabels.clockOf('press')}`);
-    const press = page.locator(`[aria-label="${captionLabels.clocks}"] tr:has(th:text-is("press")) td`);
+    const press = page.locator(`[aria-label="${captionLabels.clocks} table"] tr:has(th:text-is("press")) td`);
     assert.equal((await press.allInnerTexts())[1], stateLabels.coarse('4\u00a0ms'));
     assert.equal(await page.locator('#headsets tr:has-text("left door") .level').getAttribute('class'), 'level ok');
   });
@@ -190,7 +190,7 @@ describe('the operations page with faults', () => {
     Object.assign(gateway.state.adapters[0], { 'refused/bad_status': 7, 'refused/nan': 2, 'refused/late': 0 });
     const page = await open();
 
-    const note = page.locator('[aria-label="Plant connections"] .note p').first();
+    const note = page.locator('[aria-label="Plant connections table"] .note p').first();
     assert.equal(await note.innerText(), operationsLabels.refusedValues('bad_status 7, nan 2'));
   });
 

@@ -31,6 +31,7 @@ describe('the log-in', () => {
     await page.waitForSelector('#token svg');
     await page.click('#logout');
     await page.waitForSelector('#login', { state: 'visible' });
+    assert.equal(await page.evaluate(() => document.activeElement.id), 'token-text', 'the focus is not lost');
     assert.equal(await page.locator('#token svg').count(), 0, 'the code is secret');
     assert.ok((await page.textContent('#trouble')).startsWith(operationsMessages.loggedOut));
   });

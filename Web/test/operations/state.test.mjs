@@ -149,7 +149,7 @@ describe('the shown state', () => {
       await page.setViewportSize({ width, height: 800 });
 
       const note = await page.locator('.note p').filter({ hasText: 'thumbprint' }).boundingBox();
-      const table = await page.locator('[aria-label="Plant connections"]').boundingBox();
+      const table = await page.locator('[aria-label="Plant connections table"]').boundingBox();
       assert.ok(note.x >= table.x && note.x + note.width <= table.x + table.width, `${note.x}+${note.width} in ${table.x}+${table.width}`);
       assert.ok(note.width > Math.min(600, 0.9 * table.width), `lines long enough to read: ${note.width} of ${table.width}`);
     }

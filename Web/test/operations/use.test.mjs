@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { describe, it } from 'node:test';
 import { coloursInThemes, contrast, luminance, settled } from '../inks.mjs';
+import { repeatedLandmarks } from '../landmarks.mjs';
 import { messages } from '../messages.mjs';
 import { readElement } from '../qr.mjs';
 import { ago, becomes, cells, gateway, nextState, open, showsToolError, withGraphics } from './page.mjs';
@@ -39,9 +40,12 @@ describe('actions', () => {
     await page.keyboard.press('Enter');
     await becomes(page, '#recording', recorderLabels.recording('press-3.jsonl', '12 lines'));
     assert.equal(await page.textContent('#record'), recorderLabels.stop);
+    assert.equal(await page.evaluate(() => document.activeElement.id), 'record', 'the button keeps the focus');
+    await becomes(page, '#record-done', recorderLabels.hasStarted);
     assert.equal(await page.getAttribute('#record', 'aria-pressed'), null, 'the text already states it');
     await page.click('#record');
     await becomes(page, '#recording', 'stopped');
+    await becomes(page, '#record-done', recorderLabels.hasStopped);
 
     assert.deepEqual(gateway.posts, [['/operations/recording', { on: 'true' }], ['/operations/recording', { on: 'false' }]]);
   });
@@ -192,7 +196,32 @@ describe('accessibility in any window', () => {
 
     assert.deepEqual(nameless, []);
     assert.equal(await page.locator('h1').count(), 1);
-    assert.deepEqual(await page.locator('[role="status"], [aria-live]').evaluateAll(all => all.map(e => e.id)), ['status', 'trouble']);
+    assert.deepEqual(await page.locator('[role="status"], [aria-live]').evaluateAll(all => all.map(e => e.id)), ['condition', 'trouble', 'record-done']);
+  });
+
+  it('has no landmark with the same name twice, and the terms in a landmark', async () => {
+    const page = await open();
+
+    assert.deepEqual(await repeatedLandmarks(page), []);
+    assert.equal(await page.locator('footer .terms').count(), 1);
+  });
+
+  it('reports changes of counts to no screen reader while all is well', async () => {
+    const page = await open();
+    await becomes(page, '#status', 'OK');
+    await page.evaluate(() => {
+      window.changes = [];
+      const condition = document.querySelector('#condition');
+      new MutationObserver(() => window.changes.push(condition.textContent)).observe(condition, { childList: true, characterData: true, subtree: true });
+    });
+
+    gateway.state.status = { level: 'ok', text: '4 joints live, 1 at rest, 2 headsets' };
+    await becomes(page, '#status', '4 joints live, 1 at rest');
+    assert.deepEqual(await page.evaluate(() => window.changes), []);
+    gateway.state.status = { level: 'error', text: 'the plant is gone' };
+    await becomes(page, '#status', 'the plant is gone');
+
+    assert.deepEqual(await page.evaluate(() => window.changes), ['Fault: the plant is gone']);
   });
 
   it('fits a window of any size', async () => {
@@ -212,8 +241,8 @@ describe('accessibility in any window', () => {
     const page = await open({ viewport: { width: 800, height: 900 } });
 
     for (const [table, last] of [['Headsets', 'Error reduction'], ['Latency by hop', 'total']]) {
-      const outer = await page.locator(`[aria-label="${table}"]`).boundingBox();
-      const inner = await page.locator(`[aria-label="${table}"] th:has-text("${last}")`).boundingBox();
+      const outer = await page.locator(`[aria-label="${table} table"]`).boundingBox();
+      const inner = await page.locator(`[aria-label="${table} table"] th:has-text("${last}")`).boundingBox();
       assert.ok(inner.x + inner.width <= outer.x + outer.width + 1, `${last}: ${inner.x + inner.width} beyond ${outer.x + outer.width}`);
     }
   });
