@@ -5,8 +5,8 @@ import { format, type Statistics } from './numbers';
 import { term } from './terms';
 
 /**
- * Wraps a table in an element that scrolls if the table is wider than the window. It can be scrolled with the keyboard. Its name differs from that of a
- * section with the same heading, so that a list of landmarks has no name twice.
+ * Wraps a table in an element that scrolls if the table is wider than the window. It can be scrolled with the keyboard. Its name differs from that of
+ * a section with the same heading, so that a list of landmarks has no name twice.
  */
 export function scrollable(caption: string, table: HTMLTableElement): HTMLElement {
   return el('div', { class: 'table', role: 'region', 'aria-label': tableLabels.region(caption), tabindex: 0 }, table);

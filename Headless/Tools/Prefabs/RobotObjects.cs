@@ -46,7 +46,7 @@ sealed class RobotObjects
         return rig;
     }
 
-    /// <summary>Adds the ghost, which is hidden until the user enables it. Its text is on the other side of the gripper than that of the displayed robot.</summary>
+    /// <summary>Adds the ghost, which is hidden until the user enables it. The texts of ghost and robot are on different sides of the gripper.</summary>
     void AddGhost(Transform parent, RobotRig displayed)
     {
         var look = _assets.Load<Material>(PackagePaths.Ghost);

@@ -7,8 +7,8 @@ using UnityEngine;
 namespace Nowpose.Unity.Tests.Rendering;
 
 /// <summary>
-/// Tests the looks and the status panel while samples come near the horizon cap. The poses are then held in some frames and current in others, several
-/// times per second, and must not flash.
+/// Tests the looks and the status panel while samples come near the horizon cap. The poses are then held in some frames and current in others,
+/// several times per second, and must not flash.
 /// </summary>
 public sealed class AlternatingPoseTests : PlayedParts
 {

@@ -196,7 +196,8 @@ describe('accessibility in any window', () => {
 
     assert.deepEqual(nameless, []);
     assert.equal(await page.locator('h1').count(), 1);
-    assert.deepEqual(await page.locator('[role="status"], [aria-live]').evaluateAll(all => all.map(e => e.id)), ['condition', 'trouble', 'record-done']);
+    const live = await page.locator('[role="status"], [aria-live]').evaluateAll(all => all.map(e => e.id));
+    assert.deepEqual(live, ['condition', 'trouble', 'record-done']);
   });
 
   it('has no landmark with the same name twice, and the terms in a landmark', async () => {
@@ -212,7 +213,8 @@ describe('accessibility in any window', () => {
     await page.evaluate(() => {
       window.changes = [];
       const condition = document.querySelector('#condition');
-      new MutationObserver(() => window.changes.push(condition.textContent)).observe(condition, { childList: true, characterData: true, subtree: true });
+      const watch = new MutationObserver(() => window.changes.push(condition.textContent));
+      watch.observe(condition, { childList: true, characterData: true, subtree: true });
     });
 
     gateway.state.status = { level: 'ok', text: '4 joints live, 1 at rest, 2 headsets' };

@@ -69,8 +69,8 @@ static class ManualPictures
     }
 
     /// <summary>
-    /// Returns a camera in front of the gripper. From there, no part of the arm hides the gripper. The text is on the left, and that of the ghost on the
-    /// right.
+    /// Returns a camera in front of the gripper. From there, no part of the arm hides the gripper. The text is on the left, and that of the ghost on
+    /// the right.
     /// </summary>
     /// <param name="leftShare">Distance of the middle of the picture to the left of the gripper, as a share of that of the text.</param>
     static PictureCamera Before(PlayedCell cell, float leftShare = 1f / 3)

@@ -16,7 +16,8 @@ namespace Nowpose.Unity.Messages
 
         public static string Done(string verdict, string path) => $"load sweep done: {verdict}; log: {path}";
 
-        public const string WaitingForClock = "waiting for the clock; then the code flashes\n4 to 30 times a second; do not look at it\nif you are sensitive to flashing light";
+        public const string WaitingForClock = "waiting for the clock; then the code flashes\n4 to 30 times a second; do not look at it\n"
+            + "if you are sensitive to flashing light";
         public const string Stopped = "sweep stopped", Judging = "sweep done, evaluating";
 
         public static string Building(int vertices) => $"building {vertices} vertices";

@@ -47,7 +47,7 @@ namespace Nowpose.Unity.Rendering
             return root;
         }
 
-        /// <summary>Returns whether the nearest object, rig or gripper at or above a transform shows the newest samples, without compensation.</summary>
+        /// <summary>Returns whether the nearest object, rig or gripper at or above a transform shows the newest samples.</summary>
         public static bool IsUncompensated(Transform parts)
         {
             for (var at = parts; at != null; at = at.parent)

@@ -72,7 +72,7 @@ namespace Nowpose.Unity.Rendering
             }
         }
 
-        /// <summary>Returns the fade that reduces the opacity by the product of two reductions, so that a pose with both is fainter than with one.</summary>
+        /// <summary>Returns the fade that keeps the product of what two fades keep, so that a part with both is fainter than with one.</summary>
         /// <param name="fade">Fade from 0 to 1, as is <paramref name="other"/>.</param>
         /// <returns>A value above 1 if the remaining opacity is less than a fifth.</returns>
         public static float Combined(float fade, float other) => fade + other * (1 - OpacityLoss * fade);
