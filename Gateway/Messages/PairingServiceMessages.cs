@@ -6,8 +6,8 @@ static class PairingServiceMessages
     public static string MarkerSize(string text) => $"marker size: '{text}' is not a size; allowed: 10 to 999 mm";
 
     public const string ThisMachineOnly =
-        "the pairing page is available only to operators who have logged in, and to browsers on the gateway's machine; log in with an operator's "
-        + "token, or open the page on that machine with its address, its name or localhost";
+        "the pairing page is available only to operators, and on the gateway's machine at localhost; log in on the operations page with an "
+        + "operator's token, or open the page on that machine at localhost";
 
     public const string Fields = "the fields token and name are needed";
 

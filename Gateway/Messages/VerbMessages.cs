@@ -6,7 +6,8 @@ static class VerbMessages
     public static string OutName(string path) => $"--out {path}: the file name must end in .svg or .png";
 
     public static string PairingRefused(Uri address, int status, string reason) =>
-        $"{address}: the gateway responded with status {status} ({reason}); check that it was started with --pairing";
+        $"{address}: the gateway responded with status {status} ({reason}); check that it was started with --pairing; an address "
+        + "other than loopback also needs --token-file";
 
     public static string NoGateway(Uri address, string reason) =>
         $"{address}: {reason}; check that the gateway is running; if it uses TLS, add --certificate or --pin";

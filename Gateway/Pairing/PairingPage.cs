@@ -89,7 +89,8 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, AccessControl 
     {
         if (!await accessControl.AdmitOriginAsync(context)) return false;
         // Checks the host name against DNS rebinding: another site can make its own host name resolve to this machine and read the response.
-        if (IsFromThisMachine(context.Connection) && accessControl.IsOwnHost(context)) return true;
+        // Does not compare with the local address: rootless containers can receive all connections from their own address.
+        if (IPAddress.IsLoopback(context.Connection.RemoteIpAddress) && accessControl.IsOwnHost(context)) return true;
         // An operator's login needs no host check, because browsers do not send its cookie or header under another host name.
         if (accessControl.IsOperator(context)) return true;
         await AccessControl.AnswerAsync(
@@ -97,8 +98,4 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, AccessControl 
             PairingServiceMessages.ThisMachineOnly);
         return false;
     }
-
-    // A client whose address is the local address is on this machine, because responses to that address do not leave it.
-    static bool IsFromThisMachine(ConnectionInfo connection) =>
-        IPAddress.IsLoopback(connection.RemoteIpAddress) || connection.RemoteIpAddress.Equals(connection.LocalIpAddress);
 }

@@ -18,21 +18,23 @@ static class PairVerb
 
     public static Command Create()
     {
-        var host = TextOption.Create("--host", "Address on which the gateway listens; it must belong to this machine", "HOST", "127.0.0.1");
+        var host = TextOption.Create("--host", "Address on which the gateway listens; all except loopback need --token-file", "HOST", "127.0.0.1");
+        var tokenFile = TextOption.Create("--token-file", "File that contains only the token of an operator", "FILE");
         var socket = NumberOption.Create("--ws-port", "TCP port of the gateway's WebSocket", ProtocolLimits.WebSocketPort, 1, IPEndPoint.MaxPort, "");
         var pin = new PinArguments();
         var renew = SwitchOption.Create("--renew", "Create a new code; the current code becomes invalid");
         var command = new Command("pair", "Show the code that pairs a headset with the gateway on this machine; usable once, within 5 minutes")
         {
-            host, socket, renew,
+            host, socket, renew, tokenFile,
         };
         pin.AddTo(command);
         command.SetAction(async (parsed, stop) =>
         {
             var key = await Invocation.ReadAsync(() => pin.Read(parsed), stop);
+            var token = await Invocation.ReadAsync(() => TokenOf(parsed.GetValue(tokenFile), parsed.GetValue(host), key), stop);
             var uri = new UriBuilder(
                 key == null ? Uri.UriSchemeHttp : Uri.UriSchemeHttps, parsed.GetValue(host), parsed.GetValue(socket), PairingLimits.Path + "/code").Uri;
-            var (code, left) = await AskAsync(uri, key, parsed.GetValue(renew), stop);
+            var (code, left) = await AskAsync(uri, key, token, parsed.GetValue(renew), stop);
             using var drawn = new QrCode(code.Text);
             Console.Out.Write(drawn.Blocks(!Console.IsOutputRedirected && WindowsProcess.ShowsEscapeSequences()));
             Console.Out.WriteLine("code " + code.Text);
@@ -43,7 +45,12 @@ static class PairVerb
         return command;
     }
 
-    static async Task<(TokenCode Code, double LeftSeconds)> AskAsync(Uri uri, CertificatePin pin, bool isRenewed, CancellationToken stop)
+    // The settings refuse a token that would be sent unencrypted to another machine.
+    static string TokenOf(string path, string host, CertificatePin pin) => path == null ? null : new ConnectionSettings(
+        host, pin: pin, token: FileFault.Report(() => File.ReadAllText(path).Trim(), e => PathMessages.NotRead($"--token-file {path}", e))).Token;
+
+    static async Task<(TokenCode Code, double LeftSeconds)> AskAsync(
+        Uri uri, CertificatePin pin, string token, bool isRenewed, CancellationToken stop)
     {
         string refusal = null;
         var trust = new ServerTrust(pin);
@@ -59,6 +66,7 @@ static class PairVerb
         })
         { Timeout = RequestTimeout };
 #pragma warning restore CA5399, CA5400
+        if (token != null) http.DefaultRequestHeaders.Authorization = new("Bearer", token);
         try
         {
             using var body = new StringContent(isRenewed ? "{\"renew\":\"\"}" : "{}");

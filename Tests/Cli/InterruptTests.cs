@@ -37,6 +37,7 @@ public class InterruptTests
         "gateway pairings --pairing FIFO",
         "gateway cell --cell c --host h --certificate FIFO",
         "gateway pair --certificate FIFO",
+        "gateway pair --token-file FIFO",
         "gateway replay FIFO",
         "gateway replay FIFO --check",
         "gateway simulate --config FIFO",

@@ -1,7 +1,11 @@
 using System.Globalization;
+using System.Net.Sockets;
 using Nowpose.Gateway.Messages;
 using NUnit.Framework;
+using Nowpose.Gateway.Pairing;
+using Nowpose.Gateway.Security;
 using Nowpose.Headless.Tests.Cli;
+using Nowpose.Messages;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
@@ -45,6 +49,7 @@ public class GatewayCommandLineTests
     [TestCase("serve --recordings --record", "--recordings: value missing")]
     [TestCase("serve --certificate --tls", "--certificate: value missing")]
     [TestCase("serve --config --check", "--config: value missing")]
+    [TestCase("pair --token-file none.txt", "none.txt")]
     [TestCase("pairings --pairing none.txt", "none.txt")]
     [TestCase("replay", "FILE")]
     [TestCase("replay none.csv", "none.csv")]
@@ -65,6 +70,43 @@ public class GatewayCommandLineTests
 
         Assert.That(status, Is.EqualTo(1));
         Assert.That(errors.Single(), Does.StartWith("nowpose-gateway: http://127.0.0.1:1/"));
+    }
+
+    // A gateway that does not listen on loopback shows the code only to operators.
+    [TestCase(false)]
+    [TestCase(true)]
+    public async Task Pair_AddressOtherThanLoopback_ShowsTheCodeOnlyWithAnOperatorsToken(bool hasToken)
+    {
+        var lan = OwnHosts.AddressesOfThisMachine().FirstOrDefault(address => address.AddressFamily == AddressFamily.InterNetwork);
+        if (lan == null) Assert.Ignore("this machine has no network");
+        using var list = new TemporaryFile("");
+        using var token = new TemporaryFile(Gateways.OperatorToken + "\n");
+        using var certificate = CertificateFiles.Generate();
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with
+        {
+            Bind = lan,
+            Certificate = certificate,
+            Headsets = new HeadsetList(list.Path),
+            Tokens = Gateways.Tokens,
+        });
+        string[] line = ["pair", "--host", $"{lan}", "--ws-port", $"{gateway.WebSocketEndPoint.Port}", "--pin", $"{gateway.Pin}"];
+        if (hasToken) line = [.. line, "--token-file", token.Path];
+
+        var (status, output, errors) = await CapturedConsole.OfAsync(() => Nowpose.Gateway.CommandLine.RunAsync(line).Bounded());
+
+        Assert.That(status, Is.EqualTo(hasToken ? 0 : 1), errors);
+        Assert.That(output.Contains("code nowpose:token"), Is.EqualTo(hasToken));
+    }
+
+    [Test]
+    public async Task Pair_TokenWithoutPin_IsNotSentToAnotherMachine()
+    {
+        using var token = new TemporaryFile(Gateways.OperatorToken);
+
+        var (status, errors) = await RunAsync("pair", "--host", "192.0.2.7", "--token-file", token.Path);
+
+        Assert.That(status, Is.EqualTo(2));
+        Assert.That(errors.Single(), Does.EndWith(ConnectionMessages.TokenUnencrypted("192.0.2.7")));
     }
 
     [TestCase("--sync-port {0} --ws-port 0", "--sync-port")]
