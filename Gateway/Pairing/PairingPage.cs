@@ -1,6 +1,7 @@
 using System.Net;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
+using Nowpose.Network;
 using Nowpose.Pairing;
 using Nowpose.Protocol;
 
@@ -57,7 +58,7 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, AccessControl 
     {
         if (!await AdmitAsync(context) || await SmallJson.ReadAsync(context) is not { } request) return;
         if (!request.ContainsKey("name"))
-            await SmallJson.AnswerAsync(context, new { name = options.Cell ?? "", hosts = Hosts(), has_pin = Pin != null });
+            await SmallJson.AnswerAsync(context, new { name = options.Cell ?? "", hosts = Hosts(context), has_pin = Pin != null });
         else
             await AnswerCellAsync(context, request);
     }
@@ -81,9 +82,16 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, AccessControl 
         }
     }
 
-    // Without TLS, pairing is possible on this machine only.
-    string[] Hosts() => options.Certificate == null
-        ? ["localhost"] : [.. OwnHosts.Reachable(options.Bind).Select(host => host.Trim('[', ']'))];
+    string[] Hosts(HttpContext context)
+    {
+        // Without TLS, pairing is possible on this machine only.
+        if (options.Certificate == null) return ["localhost"];
+        var hosts = OwnHosts.Reachable(options.Bind);
+        // Of several network cards, the headsets probably reach the one at which the browser opened the page.
+        var opened = context.Request.Host.Host;
+        if (!ConnectionSettings.IsLoopbackHost(opened.Trim('[', ']'))) hosts = hosts.Prepend(opened);
+        return [.. hosts.Select(host => host.Trim('[', ']')).Distinct()];
+    }
 
     async Task<bool> AdmitAsync(HttpContext context)
     {

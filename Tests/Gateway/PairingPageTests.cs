@@ -147,6 +147,34 @@ public sealed class PairingPageTests
         Assert.That(code.SizeMetres, Is.EqualTo(0.12));
     }
 
+    // A machine with several network cards: the headsets' network is probably the one in which the page is open.
+    [TestCase("192.168.20.7:47011", "192.168.20.7")]
+    [TestCase("[fd00::7]:47011", "fd00::7")]
+    [TestCase("edge1.plant.example:47011", "edge1.plant.example")]
+    [TestCase("localhost:47011", null)]
+    [TestCase("127.0.0.1:47011", null)]
+    [TestCase("[::1]:47011", null)]
+    public async Task Cell_Begun_ProposesFirstTheHostAtWhichThePageIsOpen(string opened, string proposed)
+    {
+        using var folder = new TemporaryFile("");
+        using var certificate = CertificateFiles.Generate();
+        var options = Gateways.Options() with
+        {
+            Bind = IPAddress.Any,
+            Certificate = certificate,
+            Headsets = new HeadsetList(folder.Path),
+            Tokens = Gateways.Tokens,
+        };
+        var context = Request("/pair/cell", Gateways.OperatorToken, opened);
+
+        await Routes(options).ServeAsync(context, _ => throw new InvalidOperationException("handed on")).Bounded();
+
+        var hosts = JsonDocument.Parse(BodyOf(context)).RootElement.GetProperty("hosts").EnumerateArray().Select(host => host.GetString()).ToArray();
+        var reachable = OwnHosts.Reachable(IPAddress.Any).ToArray();
+        Assert.That(hosts[0], Is.EqualTo(proposed ?? reachable[0]));
+        Assert.That(hosts, Is.SupersetOf(reachable).And.Unique);
+    }
+
     [TestCase("{\"name\":\"\",\"host\":\"10.0.0.7\",\"size_mm\":\"120\"}", "name")]
     [TestCase("{\"name\":\"a\",\"host\":\"10.0.0\",\"size_mm\":\"120\"}", "host")]
     [TestCase("{\"name\":\"a\",\"host\":\"10.0.0.7\",\"size_mm\":\"x\"}", "size")]
