@@ -90,6 +90,17 @@ public class PackagingTests
         Assert.That(users.Single(), Does.Match("^u nowpose - \"[^\"]+\" /var/lib/nowpose-gateway$"));
     }
 
+    // Both ports are in the range from which Linux takes the ports of outgoing connections.
+    [Test]
+    public void Sysctl_ReservedPorts_AreTheDefaultPorts()
+    {
+        var settings = File.ReadAllLines(Path.Combine(Folder, "nowpose-gateway.sysctl.conf")).Where(line => line[0] != '#');
+
+        Assert.That(
+            settings.Single(),
+            Is.EqualTo($"net.ipv4.ip_local_reserved_ports = {ProtocolLimits.SyncPort},{ProtocolLimits.WebSocketPort}"));
+    }
+
     [Test]
     public void SystemdUnit_GatewayFails_RestartsItWithoutLimit()
     {
