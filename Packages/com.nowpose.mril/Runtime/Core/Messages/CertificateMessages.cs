@@ -15,8 +15,8 @@ namespace Nowpose.Messages
             "certificate: trusted by this device, but issued for another name than Host; enter a name of the certificate as Host, or enter its pin";
 
         public static string OtherPin(CertificatePin pin, CertificatePin expected) =>
-            $"certificate: its pin is {pin}, but {expected} is expected; this is another server, or the gateway has a new key; pair again or correct "
-            + "the pin";
+            $"certificate: its pin is {pin}, but {expected} is expected; compare it with the pin that the gateway prints: if they are equal, pair "
+            + "again or correct the pin; otherwise, this is another server, or a firewall decrypts TLS";
 
         public static string Expired(string day) => $"certificate: expired on {day}; renew it on the gateway";
         public static string NotYetValid(string day) => $"certificate: not valid before {day}; check this device's date";
