@@ -8,7 +8,8 @@ static class HeadsetMessages
     public static string NoRobot(double seconds, string fault, string robotNamespace) =>
         (fault == null ? "" : fault + "; ") + "the gateway did not describe a robot"
         + (robotNamespace.Length == 0 ? "" : $" in the namespace {robotNamespace}")
-        + FormattableString.Invariant($" within {seconds} s; check the gateway and its source, or use --robot with youbot, ur5 or a .urdf file");
+        + FormattableString.Invariant($" within {seconds} s; check the gateway, its source and the packet size (MTU) of a VPN, ")
+        + "or use --robot with youbot, ur5 or a .urdf file";
 
     /// <param name="fault">Message that lists the namespaces of the robots that the gateway serves.</param>
     public static string OtherNamespaces(string fault) => "--namespace: " + fault;

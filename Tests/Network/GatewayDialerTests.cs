@@ -64,6 +64,18 @@ public sealed class GatewayDialerTests
         Assert.That(failure.Message, Is.EqualTo(ConnectionMessages.NotConnected("gateway.example:1", false, SocketError.HostNotFound)));
     }
 
+    // With a DNS server that does not respond, a lookup takes longer than an attempt to connect.
+    [Test]
+    public void Open_HostNameNotResolvedInTime_ReportsTheLookup()
+    {
+        var dialer = new GatewayDialer(
+            new ConnectionSettings("gateway.example", insecureLan: true), resolve: _ => new TaskCompletionSource<IPAddress[]>().Task);
+
+        var failure = Assert.ThrowsAsync<GatewayRefusalException>(() => dialer.OpenAsync(1, default).Bounded());
+
+        Assert.That(failure.Message, Does.StartWith("gateway.example:1: ").And.Contain("DNS").And.Contain("3 s"));
+    }
+
     // A UWP app without a network capability gets this error, and so does an Android app without the permission INTERNET.
     [Test]
     public void Open_NetworkNotAllowed_ThrowsWithTheCapabilities()

@@ -30,8 +30,11 @@ namespace Nowpose.Messages
 
         public const string ClosedBeforeAnswer = "the gateway closed the connection before it responded; see its log";
 
-        public static string NoResponse(double seconds) =>
-            FormattableString.Invariant($"no response within {seconds} s; check host and port, the network, and that the gateway is running");
+        public static string NoResponse(double seconds) => FormattableString.Invariant(
+            $"no response within {seconds} s; check host and port, the network, the gateway and the firewall of its machine");
+
+        public static string NotResolved(double seconds) => FormattableString.Invariant(
+            $"the host name was not resolved within {seconds} s; check the DNS servers of this device, or enter the gateway's IP address");
 
         /// <summary>Returns the reason for a connection that could not be opened; the system's own text is in the language of the device.</summary>
         /// <param name="isLoopback">Whether the address is one of this device. A gateway listens on it by default.</param>

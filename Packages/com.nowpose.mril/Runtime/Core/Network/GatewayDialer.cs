@@ -41,17 +41,17 @@ namespace Nowpose.Network
             using (var inTime = CancellationTokenSource.CreateLinkedTokenSource(cancel))
             {
                 inTime.CancelAfter(ProtocolLimits.DialTimeout);
+                var lookup = AddressesAsync();
                 try
                 {
-                    return await OpenStreamAsync(port, inTime.Token).OrCancelled(inTime.Token).ConfigureAwait(false);
+                    return await OpenStreamAsync(lookup, port, inTime.Token).OrCancelled(inTime.Token).ConfigureAwait(false);
                 }
                 catch (Exception failure)
                 {
                     cancel.ThrowIfCancellationRequested();
                     var address = _settings.Host + ":" + port;
                     if (inTime.IsCancellationRequested)
-                        throw new GatewayRefusalException(
-                            address + ": " + ConnectionMessages.NoResponse(ProtocolLimits.DialTimeout.TotalSeconds), failure);
+                        throw new GatewayRefusalException(address + ": " + NotInTime(lookup.IsCompleted), failure);
                     if (failure is GatewayRefusalException) throw;
                     if (failure.GetBaseException() is SocketException refused)
                         throw new GatewayRefusalException(
@@ -59,6 +59,12 @@ namespace Nowpose.Network
                     throw;
                 }
             }
+        }
+
+        static string NotInTime(bool isResolved)
+        {
+            var seconds = ProtocolLimits.DialTimeout.TotalSeconds;
+            return isResolved ? ConnectionMessages.NoResponse(seconds) : ConnectionMessages.NotResolved(seconds);
         }
 
         // IPv4 addresses come first, because a gateway listens on them by default.
@@ -70,10 +76,9 @@ namespace Nowpose.Network
             return found.OrderBy(address => address.AddressFamily == AddressFamily.InterNetwork ? 0 : 1).ToArray();
         }
 
-        async Task<Stream> OpenStreamAsync(int port, CancellationToken cancel)
+        async Task<Stream> OpenStreamAsync(Task<IPAddress[]> lookup, int port, CancellationToken cancel)
         {
-            var addresses = await AddressesAsync().ConfigureAwait(false);
-            var tcp = await _attempts.ConnectAsync(addresses, port, cancel).ConfigureAwait(false);
+            var tcp = await _attempts.ConnectAsync(await lookup.ConfigureAwait(false), port, cancel).ConfigureAwait(false);
             try
             {
                 // Closing the socket is the only way to cancel a connection attempt or a TLS handshake on .NET Standard 2.1.
