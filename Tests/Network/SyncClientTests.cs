@@ -237,6 +237,21 @@ public class SyncClientTests
     }
 
     [Test]
+    public async Task Exchange_SecondConnection_ReportsItsFirstResponse()
+    {
+        var (requests, responses) = (0, 0);
+        using var server = new FakeSyncServer(request => Interlocked.Increment(ref requests) == 3 ? null : FakeSyncServer.Bytes(Reply(request)));
+        using var client = new SyncClient(
+            new ConnectionSettings("127.0.0.1", server.Port), new StopwatchHeadsetClock(),
+            new ClockSynchroniser(new RansacClockEstimator(RansacSettings.Paper), ClockSettings.Default), _faults,
+            new ExchangePace(Quick, Quick, new Random(1)), () => Interlocked.Increment(ref responses));
+
+        await Soon.BecomesAsync(() => Volatile.Read(ref requests) > 5, "exchanges over the second connection");
+
+        Assert.That(responses, Is.EqualTo(2));
+    }
+
+    [Test]
     public async Task Dispose_ThreadNeverEnds_ReturnsWithoutWaiting()
     {
         var clock = new StuckClock();

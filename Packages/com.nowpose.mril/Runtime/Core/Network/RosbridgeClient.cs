@@ -38,6 +38,7 @@ namespace Nowpose.Network
         readonly Task _running;
         volatile LinkStatus _status = LinkStatus.Connecting;
         volatile Task _ending;
+        volatile TaskCompletionSource<bool> _silent;
         ReportedErrors _errors;
         long _lastReceived;
 
@@ -81,6 +82,12 @@ namespace Nowpose.Network
             // Runs on the thread pool, because cancelling closes sockets on the calling thread.
             if (_ending == null) _ending = Task.Run(EndAsync);
         }
+
+        /// <summary>
+        /// Ends a connection that has been silent for longer than the interval of the pings, because the gateway responds to another connection:
+        /// after a gap of the network, TCP sends lost data again only after a time that may be as long as the gap.
+        /// </summary>
+        public bool EndIfSilent() => Silence > ProtocolLimits.PingInterval && _silent != null && _silent.TrySetResult(true);
 
         async Task EndAsync()
         {
@@ -274,12 +281,14 @@ namespace Nowpose.Network
         // Runs separately from the tasks that send, because a send over a lost connection may never complete.
         async Task WatchAsync(CancellationToken cancel)
         {
+            var silent = _silent = new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);
             while (true)
             {
                 var left = ProtocolLimits.PongTimeout - Silence;
+                if (silent.Task.IsCompleted) throw new IOException(ConnectionMessages.NothingReceived(ProtocolLimits.PingInterval.TotalSeconds));
                 if (left < TimeSpan.Zero) throw new IOException(ConnectionMessages.NothingReceived(ProtocolLimits.PongTimeout.TotalSeconds));
                 // Waits one timer step longer: the timer counts whole steps and would otherwise fire repeatedly within the last step.
-                await Task.Delay(left + TimerStep, cancel).ConfigureAwait(false);
+                await (await Task.WhenAny(silent.Task, Task.Delay(left + TimerStep, cancel)).ConfigureAwait(false)).ConfigureAwait(false);
             }
         }
 

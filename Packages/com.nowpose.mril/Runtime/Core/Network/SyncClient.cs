@@ -19,6 +19,7 @@ namespace Nowpose.Network
         readonly ClockSynchroniser _synchroniser;
         readonly SyncFaultCounters _faults;
         readonly ExchangePace _pace;
+        readonly Action _responds;
         readonly CancellationTokenSource _stop = new CancellationTokenSource();
         readonly Task _running;
         volatile Stream _open;
@@ -29,14 +30,17 @@ namespace Nowpose.Network
         /// <param name="synchroniser">Receives each exchange, on this client's thread.</param>
         /// <param name="faults">Counts dropped exchanges.</param>
         /// <param name="pace">Schedule of the exchanges; used by this client only.</param>
+        /// <param name="responds">Called at the first response over each connection, on this client's thread; null for no call.</param>
         public SyncClient(
-            ConnectionSettings settings, IHeadsetClock clock, ClockSynchroniser synchroniser, SyncFaultCounters faults, ExchangePace pace)
+            ConnectionSettings settings, IHeadsetClock clock, ClockSynchroniser synchroniser, SyncFaultCounters faults, ExchangePace pace,
+            Action responds = null)
         {
             _settings = settings;
             _clock = clock;
             _synchroniser = synchroniser;
             _faults = faults;
             _pace = pace;
+            _responds = responds;
             // LongRunning creates a new thread. The scheduler is explicit because the caller's scheduler may run on the frame loop's thread.
             _running = Task.Factory.StartNew(Run, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
         }
@@ -104,6 +108,7 @@ namespace Nowpose.Network
                 var ended = _clock.Now;
                 if (intake.Add(exchange, fault))
                 {
+                    if (_status.State != LinkState.Connected) _responds?.Invoke();
                     _status = LinkStatus.Connected;
                     backoff.ResetAfter(ended - opened);
                 }

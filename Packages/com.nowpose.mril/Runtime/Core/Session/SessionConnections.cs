@@ -57,7 +57,7 @@ namespace Nowpose.Session
             WasRequested = true;
             var (connection, pace) = (_settings.Connection, _settings.NewExchangePace(new Random()));
             var isRos = connection.ClockSource == ControlClockSource.RosTime;
-            if (!isRos) _syncClient = new SyncClient(connection, _clock, _synchroniser, _faults, pace);
+            if (!isRos) _syncClient = new SyncClient(connection, _clock, _synchroniser, _faults, pace, () => _rosbridgeClient?.EndIfSilent());
             _rosbridgeClient = new RosbridgeClient(
                 () => _newLink(connection, _clock), _clock, _listener, _subscriptions, connection.PublishesDisplayed,
                 isRos ? new RosTimeExchanges(_clock, _synchroniser, _faults, pace) : null);
