@@ -5,7 +5,8 @@ namespace Nowpose.Headless.Tests.Gateway.Faults;
 
 /// <summary>
 /// Simulates a network between headset and gateway that can fail like WiFi: it carries no data in either direction, and neither side is
-/// notified, not even when the other side closes its connection.
+/// notified, not even when the other side closes its connection. Data sent in the meantime arrive as soon as it recovers; in a network that
+/// loses packets, they arrive only when TCP sends them again.
 /// </summary>
 sealed class QuietPath : IDisposable
 {
