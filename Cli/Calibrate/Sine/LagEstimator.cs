@@ -6,7 +6,8 @@ namespace Nowpose.Cli.Calibrate.Sine;
 /// <remarks>
 /// Pearson's correlation of shown(t) and robot(t − lag) is computed at lags of whole sampling intervals. Near its maximum, the model is
 /// shown = a + b·robot − b·δ·robot′, and least squares give the remaining shift δ. The speed robot′ is a difference over several
-/// intervals, which reduces the effect of the camera's noise. Every lag is evaluated at the same instants of the hologram, so
+/// intervals, which reduces the effect of the camera's noise, but also the speed itself. The fit is therefore repeated at the lag found,
+/// with robot positions interpolated between instants, until δ is 0. Every lag is evaluated at the same instants of the hologram, so
 /// incomplete periods at the ends do not bias the result.
 /// </remarks>
 static class LagEstimator
@@ -20,12 +21,16 @@ static class LagEstimator
     const double Ambiguous = 0.98;
 
     /// <summary>
-    /// The speed at an instant is computed from the positions this number of instants before and after it. With a smaller number, the noise of
-    /// the camera would look like motion.
+    /// The speed at an instant is computed from the positions this time before and after it, s. With a shorter time, the noise of the camera
+    /// would look like motion.
     /// </summary>
-    const int SpeedSpan = 5;
+    const double SpeedSpan = 1 / 12.0;
 
-    const int MaxSteps = 5;
+    /// <summary>The fit is repeated until the remaining shift is smaller, in instants.</summary>
+    const double Tolerance = 1e-3;
+
+    /// <summary>Maximum number of fits. A slow jog needs three or four.</summary>
+    const int MaxFits = 10;
 
     /// <exception cref="InputException">
     /// The interval exceeds the tested lags, nothing moves, the two motions differ, or the motion repeats within the tested lags.
@@ -39,19 +44,31 @@ static class LagEstimator
         RequireMotion(tracks.Shown, "the hologram");
         if (tracks.Shown.Length < 3 * last) throw new InputException(SineMessages.TooShort(tracks.Shown.Length * tracks.Interval, MaxLag));
         int from = Math.Max(0, last), to = tracks.Shown.Length + Math.Min(0, first);
-        var correlations = Enumerable.Range(first, last - first + 1).Select(lag => ShiftFit.Of(tracks, lag, from, to, 0).Correlation).ToArray();
+        var correlations = Enumerable.Range(first, last - first + 1).Select(lag => ShiftFit.Of(tracks, null, lag, from, to).Correlation).ToArray();
         var peak = Array.IndexOf(correlations, correlations.Max());
         Check(correlations, peak, first, tracks.Interval);
-        var fit = ShiftFit.Of(tracks, first + peak, from, to, SpeedSpan);
-        var instants = first + peak;
-        for (var step = 0; step < MaxSteps && Math.Abs(fit.Shift) > 0.5 && instants > first && instants < last; step++)
+        var speeds = SpeedsOf(tracks.Robot, Math.Max(1, (int)Math.Round(SpeedSpan / tracks.Interval)));
+        double instants = first + peak, shift = double.PositiveInfinity;
+        for (var fits = 0; fits < MaxFits && Math.Abs(shift) > Tolerance; fits++)
         {
-            instants += Math.Sign(fit.Shift);
-            fit = ShiftFit.Of(tracks, instants, from, to, SpeedSpan);
+            shift = ShiftFit.Of(tracks, speeds, instants, from, to).Shift;
+            instants = Math.Clamp(instants + shift, first, last);
         }
+        // At a whole number of instants, because interpolation reduces the noise of the robot's track.
+        var deviation = ShiftFit.Of(tracks, speeds, Math.Round(instants), from, to).Deviation;
         return new LagEstimate(
-            (instants + fit.Shift) * tracks.Interval, fit.Deviation * tracks.Interval, correlations[peak],
+            instants * tracks.Interval, deviation * tracks.Interval, correlations[peak],
             [.. Enumerable.Range(first, correlations.Length).Select(each => each * tracks.Interval)], correlations);
+    }
+
+    static double[] SpeedsOf(double[] positions, int span)
+    {
+        double SpeedAt(int instant)
+        {
+            int before = Math.Max(0, instant - span), after = Math.Min(positions.Length - 1, instant + span);
+            return (positions[after] - positions[before]) / (after - before);
+        }
+        return [.. Enumerable.Range(0, positions.Length).Select(SpeedAt)];
     }
 
     static void RequireMotion(double[] positions, string what)

@@ -4,43 +4,12 @@ using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;
-using Nowpose.Simulation;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Calibrate;
 
 public class SineVerbTests : CalibrationFolder
 {
-    const double Fps = 60;
-
-    /// <summary>Simulates a filmed jog: positions of robot and hologram in pixels, each of them with noise of one pixel.</summary>
-    sealed record Jog(double LagMs)
-    {
-        public int Seed { get; init; } = 1;
-        public double Period { get; init; } = 2;
-        public double Amplitude { get; init; } = 150;
-        public double Seconds { get; init; } = 10;
-
-        /// <summary>Time for which the hologram stays at each position, ms; 0 if it moves continuously.</summary>
-        public double SamplingMs { get; init; }
-
-        public double Scale { get; init; } = 1;
-
-        public IEnumerable<string> Lines()
-        {
-            var random = new Random(Seed);
-            double phase = random.NextDouble(), taken = random.NextDouble();
-            double Place(double t) => Amplitude * Math.Sin(2 * Math.PI * (t / Period + phase));
-            yield return "t_s,robot_px,hologram_px";
-            for (var i = 0; i < Seconds * Fps; i++)
-            {
-                double t = i / Fps, shown = t - LagMs / 1000, interval = SamplingMs / 1000;
-                if (interval > 0) shown = (Math.Floor(shown / interval + taken) - taken) * interval;
-                yield return string.Create(CultureInfo.InvariantCulture, $"{t:0.######},{640 + Place(t) + random.NextNormal():0.###},{500 + Scale * Place(shown) + random.NextNormal():0.###}");
-            }
-        }
-    }
-
     async Task<JsonElement> Measured(Jog jog, params string[] options)
     {
         var run = await CliRun.OfAsync(["calibrate", "sine", Write("jog.csv", jog.Lines()), "--json", "--out", Out, .. options]);
@@ -73,6 +42,40 @@ public class SineVerbTests : CalibrationFolder
             Assert.That(Math.Abs(error), Is.LessThan(3), "seed " + seed);
             Assert.That(Math.Abs(error), Is.LessThan(4.5 * result.GetProperty("total_sd_ms").GetDouble() + 0.2), "seed " + seed);
         }
+    }
+
+    // The manual recommends 25 pictures per second. The lags are between two pictures, and near the middle between them.
+    [TestCase(25, false)]
+    [TestCase(25, true)]
+    [TestCase(30, false)]
+    [TestCase(30, true)]
+    [TestCase(60, true)]
+    public async Task Sine_LagBetweenPictures_IsNotBiased(double fps, bool isTriangle)
+    {
+        double[] lags = [5, 19, 21, 139, 141];
+        foreach (var lag in lags)
+        {
+            var result = await Measured(new Jog(lag) { Fps = fps, IsTriangle = isTriangle, Noise = 0, Seconds = 12 });
+
+            Assert.That(result.GetProperty("total_ms").GetDouble(), Is.EqualTo(lag).Within(0.1), $"lag {lag} ms");
+        }
+    }
+
+    [Test]
+    public async Task Sine_PicturesWithNoise_UncertaintyIsThatOfTheResults()
+    {
+        const int jogs = 40;
+        var squares = 0.0;
+        for (var seed = 1; seed <= jogs; seed++)
+        {
+            var jog = new Jog(97 + 1.1 * seed) { Seed = seed, Fps = 25, Period = 3, IsTriangle = seed % 2 == 0 };
+
+            var result = await Measured(jog, "--exposure-ms", "0");
+
+            var relative = (result.GetProperty("total_ms").GetDouble() - jog.LagMs) / result.GetProperty("total_sd_ms").GetDouble();
+            squares += relative * relative;
+        }
+        Assert.That(Math.Sqrt(squares / jogs), Is.InRange(0.7, 1.3));
     }
 
     // A player that stretches slow-motion video eight times also stretches the lag and the period.
@@ -255,7 +258,7 @@ public class SineVerbTests : CalibrationFolder
     [Test]
     public async Task Sine_RobotAtRest_ReportsThatTheRobotDoesNotMove()
     {
-        var rest = Enumerable.Range(0, 600).Select(i => string.Create(CultureInfo.InvariantCulture, $"{i / Fps:0.####},640,{i % 7}"));
+        var rest = Enumerable.Range(0, 600).Select(i => string.Create(CultureInfo.InvariantCulture, $"{i / 60.0:0.####},640,{i % 7}"));
 
         Assert.That(await RefusalOf("sine", Write("jog.csv", rest.Prepend("t,robot,hologram"))),
             Does.EndWith("jog.csv: " + SineMessages.NoMotion("the robot")));
