@@ -61,11 +61,13 @@ static class OptionPath
     /// <exception cref="InputException">An output is an input, or its path is invalid.</exception>
     public static void RequireNoInput(string option, IEnumerable<string> outputs, params string[] inputs)
     {
-        string[] read = [.. inputs.Where(path => !string.IsNullOrEmpty(path)).Select(Path.GetFullPath)];
         foreach (var path in outputs)
             Write(option, path, () =>
             {
-                if (read.Contains(Path.GetFullPath(path))) throw new InputException(OptionValueMessages.WouldOverwriteInput(option, path));
+                // Two names of the same file can differ, for example below a symbolic link to a folder.
+                var target = OutputFile.TargetOf(path);
+                if (inputs.Any(input => !string.IsNullOrEmpty(input) && OutputFile.TargetOf(input) == target))
+                    throw new InputException(OptionValueMessages.WouldOverwriteInput(option, path));
             });
     }
 }

@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway;
@@ -8,6 +9,9 @@ namespace Nowpose.Gateway;
 /// </summary>
 static class OutputFile
 {
+    /// <summary>Maximum number of symbolic links in a path, as on Linux. More of them form a loop.</summary>
+    const int MaxLinks = 40;
+
     /// <summary>Permissions of a file that only its owner may read. On Windows, a file has the permissions of its folder instead.</summary>
     public const UnixFileMode Secret = UnixFileMode.UserRead | UnixFileMode.UserWrite;
 
@@ -70,9 +74,22 @@ static class OutputFile
         }
     }
 
-    /// <summary>Gets the path of the file to which a path leads through symbolic links.</summary>
-    public static string TargetOf(string path) =>
-        new FileInfo(path).LinkTarget == null ? path : File.ResolveLinkTarget(path, returnFinalTarget: true).FullName;
+    /// <summary>Gets the full path of the file to which a path leads, without symbolic links. The file need not exist.</summary>
+    /// <exception cref="IOException">The links do not end.</exception>
+    public static string TargetOf(string path)
+    {
+        var links = 0;
+        return Resolve(Path.GetFullPath(path));
+
+        string Resolve(string full)
+        {
+            if (Path.GetDirectoryName(full) is not { } folder) return full;
+            folder = Resolve(folder);
+            full = Path.Combine(folder, Path.GetFileName(full));
+            if (new FileInfo(full).LinkTarget is not { } target) return full;
+            return ++links <= MaxLinks ? Resolve(Path.GetFullPath(target, folder)) : throw new IOException(PathMessages.TooManyLinks(path, MaxLinks));
+        }
+    }
 
     /// <summary>Checks that files can be created in a folder. Permissions alone do not show that a file system is read-only.</summary>
     /// <exception cref="IOException">No file can be created.</exception>

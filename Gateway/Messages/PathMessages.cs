@@ -14,5 +14,7 @@ static class PathMessages
     public static string OutputNotWritten(Exception cause) =>
         $"standard output: cannot be written ({OneLine(cause)}); check where it is redirected to, and the free space";
 
+    public static string TooManyLinks(string path, int max) => $"{path} has more than {max} symbolic links; remove the loop";
+
     static string OneLine(Exception cause) => cause is ArgumentException ? "the path is empty or invalid" : cause.Message.ReplaceLineEndings(" ");
 }

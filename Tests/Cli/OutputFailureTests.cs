@@ -46,6 +46,21 @@ public sealed class OutputFailureTests
     }
 
     [Test]
+    [Platform(Exclude = "Win")]
+    public async Task Replay_FramesOverwriteTheInputBelowALinkedFolder_IsRefused()
+    {
+        Directory.CreateDirectory(At("real"));
+        File.CreateSymbolicLink(At("alias"), "real");
+        File.WriteAllText(At("real/a.csv"), "t_s,a\n0,0\n");
+
+        var run = await CliRun.OfAsync("replay", At("real/a.csv"), "--frames", At("alias/a.csv"));
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors, Does.Contain(OptionValueMessages.WouldOverwriteInput("--frames", At("alias/a.csv"))));
+        Assert.That(File.ReadAllText(At("real/a.csv")), Is.EqualTo("t_s,a\n0,0\n"));
+    }
+
+    [Test]
     public Task Sync_CannotComplete_KeepsTheEarlierPage()
     {
         File.WriteAllText(At("log.csv"), Log);

@@ -65,6 +65,43 @@ public sealed class OutputFileTests
     }
 
     [Test]
+    [Platform(Exclude = "Win")]
+    public void TargetOf_NameOfALinkInTheCurrentFolder_IsInTheCurrentFolder()
+    {
+        var link = Path.GetRandomFileName();
+        File.CreateSymbolicLink(link, link + ".target");
+        try
+        {
+            Assert.That(OutputFile.TargetOf(link), Is.EqualTo(Path.Combine(Environment.CurrentDirectory, link + ".target")));
+        }
+        finally
+        {
+            File.Delete(link);
+        }
+    }
+
+    [Test]
+    [Platform(Exclude = "Win")]
+    public void TargetOf_LinkBelowALinkedFolder_IsRelativeToTheTrueFolder()
+    {
+        Directory.CreateDirectory(At("folder/real"));
+        File.CreateSymbolicLink(At("alias"), At("folder/real"));
+        File.CreateSymbolicLink(At("folder/real/link"), "../target");
+
+        Assert.That(OutputFile.TargetOf(At("alias/link")), Is.EqualTo(At("folder/target")));
+    }
+
+    [Test]
+    [Platform(Exclude = "Win")]
+    public void TargetOf_LoopOfLinks_Fails()
+    {
+        File.CreateSymbolicLink(At("a"), "b");
+        File.CreateSymbolicLink(At("b"), "a");
+
+        Assert.Throws<IOException>(() => OutputFile.TargetOf(At("a")));
+    }
+
+    [Test]
     [Platform("Linux")]
     public void Write_LinkToADevice_WritesToTheDevice()
     {
