@@ -8,14 +8,16 @@ using Nowpose.Web;
 
 namespace Nowpose.Cli.Demo;
 
-/// <summary>The output folder of a run.</summary>
-sealed class DemoOutput
+/// <summary>The output folder of a run. Until it is disposed, other runs cannot use the folder.</summary>
+sealed class DemoOutput : IDisposable
 {
     readonly bool _isPaper;
+    readonly FileStream _lock;
 
     DemoOutput(string folder, bool isPaper)
     {
         _isPaper = isPaper;
+        _lock = Lock(folder);
         ResultPath = Path.Combine(folder, "result.json");
         ReportPath = ReportIn(folder);
         SessionPath = Path.Combine(folder, "session.jsonl");
@@ -40,15 +42,24 @@ sealed class DemoOutput
     /// <param name="isPaper">Whether the run also writes the files of <c>--paper</c>. Without it, these files are kept.</param>
     /// <param name="inputs">Paths of the input files, which are never removed; null for an input that was not given.</param>
     /// <exception cref="InputException">
-    /// The folder or the calibration in it is not writable, or an input or a recording of another program is among the files to write.
+    /// The folder or the calibration in it is not writable, another run uses the folder, or an input or a recording of another program is among the
+    /// files to write.
     /// </exception>
     public static DemoOutput At(string folder, bool isPaper, params string[] inputs) => OptionPath.InFolder("--out", folder, full =>
     {
         var output = new DemoOutput(full, isPaper);
-        OptionPath.RequireNoInput("--out", [output.ReportPath, output.SessionPath, output.ResultPath], inputs);
-        output.RequireNoRecording();
-        if (isPaper) CalibrationOutput.At(output.Folder);
-        return output;
+        try
+        {
+            OptionPath.RequireNoInput("--out", [output.ReportPath, output.SessionPath, output.ResultPath], inputs);
+            output.RequireNoRecording();
+            if (isPaper) CalibrationOutput.At(output.Folder);
+            return output;
+        }
+        catch
+        {
+            output.Dispose();
+            throw;
+        }
     });
 
     /// <summary>
@@ -61,6 +72,22 @@ sealed class DemoOutput
         foreach (var path in new[] { ReportPath, SessionPath, ResultPath }) File.Delete(path);
         if (_isPaper) PaperOutput.RemoveEarlier(Folder);
     });
+
+    public void Dispose() => _lock.Dispose();
+
+    // Two runs would mix their files. The folder is writable, so the file cannot be opened only if another run has it.
+    static FileStream Lock(string folder)
+    {
+        try
+        {
+            return new FileStream(
+                Path.Combine(folder, ".nowpose.lock"), FileMode.OpenOrCreate, FileAccess.Write, FileShare.None, 1, FileOptions.DeleteOnClose);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            throw new InputException(DemoMessages.FolderInUse(folder), e);
+        }
+    }
 
     // A result or a report can be computed again, but a recording of another program cannot.
     void RequireNoRecording()

@@ -153,7 +153,7 @@ static class DemoVerb
 
     static async Task<int> RunAsync(DemoSettings settings, ParseResult parsed, string folder, CancellationToken cancel)
     {
-        var output = DemoOutput.At(folder, isPaper: false, parsed.GetValue(Robot), parsed.GetValue(Recording), parsed.GetValue(Profile));
+        using var output = DemoOutput.At(folder, isPaper: false, parsed.GetValue(Robot), parsed.GetValue(Recording), parsed.GetValue(Profile));
         output.RemoveEarlier();
         foreach (var warning in settings.MotionWarnings) await Console.Error.WriteLineAsync(ConsoleMessages.Line(warning));
         var run = await DemoStage.PlayAsync(settings, output.SessionPath, cancel);

@@ -50,6 +50,8 @@ static class DemoMessages
     public static string OtherRecording(string path) =>
         $"--out: {path} is a recording that is not from an earlier demo and would be replaced; use another folder, or move the file";
 
+    public static string FolderInUse(string folder) => $"--out: another nowpose writes to {folder}; use another folder, or wait until it has ended";
+
     public static string AssumedVisu(double ms) =>
         FormattableString.Invariant($"--visu-ms plus --visu-error-ms: {ms} ms is out of range; allowed: 0 to 500 ms");
 

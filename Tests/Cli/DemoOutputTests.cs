@@ -15,7 +15,7 @@ public sealed class DemoOutputTests
     {
         using var folder = Filled();
 
-        DemoOutput.At(folder.Path, isPaper: false).RemoveEarlier();
+        using (var output = DemoOutput.At(folder.Path, isPaper: false)) output.RemoveEarlier();
 
         Assert.That(Names(folder), Is.EquivalentTo(OfPaper));
     }
@@ -25,7 +25,7 @@ public sealed class DemoOutputTests
     {
         using var folder = Filled();
 
-        DemoOutput.At(folder.Path, isPaper: true).RemoveEarlier();
+        using (var output = DemoOutput.At(folder.Path, isPaper: true)) output.RemoveEarlier();
 
         Assert.That(Names(folder), Is.Empty);
     }
@@ -36,7 +36,7 @@ public sealed class DemoOutputTests
     {
         using var folder = Filled();
 
-        DemoOutput.At(folder.Path, isPaper);
+        DemoOutput.At(folder.Path, isPaper).Dispose();
 
         Assert.That(Names(folder), Is.EquivalentTo(OfDemo.Concat(OfPaper)));
     }
@@ -87,16 +87,31 @@ public sealed class DemoOutputTests
         foreach (var (name, text) in new[] { ("result.json", "{}"), ("report.html", "<h1>Tests</h1>"), ("session.jsonl", session) })
             File.WriteAllText(Path.Combine(folder.Path, name), text);
 
-        DemoOutput.At(folder.Path, isPaper: false).RemoveEarlier();
+        using (var output = DemoOutput.At(folder.Path, isPaper: false)) output.RemoveEarlier();
 
         Assert.That(Names(folder), Is.Empty);
+    }
+
+    [Test]
+    public void At_FolderOfARunThatHasNotEnded_ThrowsAndKeepsAllFiles()
+    {
+        using var folder = Filled();
+        using (DemoOutput.At(folder.Path, isPaper: false))
+        {
+            Assert.That(
+                () => DemoOutput.At(folder.Path, isPaper: true),
+                Throws.TypeOf<InputException>().With.Message.EqualTo(DemoMessages.FolderInUse(folder.Path)));
+            Assert.That(OfDemo.Concat(OfPaper), Is.SubsetOf(Names(folder)));
+        }
+        DemoOutput.At(folder.Path, isPaper: true).Dispose();
+        Assert.That(Names(folder), Is.EquivalentTo(OfDemo.Concat(OfPaper)));
     }
 
     [Test]
     public void Written_RunWithoutASession_ListsTheOtherFiles()
     {
         using var folder = new TemporaryFolder();
-        var output = DemoOutput.At(folder.Path, isPaper: false);
+        using var output = DemoOutput.At(folder.Path, isPaper: false);
         foreach (var path in new[] { output.ResultPath, output.ReportPath }) File.WriteAllText(path, "");
 
         Assert.That(output.Written.Select(file => file.Path), Is.EqualTo(new[] { output.ResultPath, output.ReportPath }));

@@ -51,7 +51,8 @@ public sealed class InterruptedPaperTests
 
         var (_, output, errors) = await CapturedConsole.OfAsync(() =>
         {
-            PaperSession.WriteInterrupted(Calibration(4, isInterrupted: true), DemoOutput.At(folder.Path, isPaper: true));
+            using var files = DemoOutput.At(folder.Path, isPaper: true);
+            PaperSession.WriteInterrupted(Calibration(4, isInterrupted: true), files);
             return Task.FromResult(0);
         });
 

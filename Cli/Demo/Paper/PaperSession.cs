@@ -14,7 +14,7 @@ static class PaperSession
     /// <param name="repeats">Number of repeats. Each has its own seed, calibration and connection.</param>
     public static async Task<int> RunAsync(DemoSettings given, int repeats, string folder, CancellationToken cancel)
     {
-        var output = DemoOutput.At(folder, isPaper: true);
+        using var output = DemoOutput.At(folder, isPaper: true);
         var swing = new YoubotSwing(isCold: true);
         var scenario = PaperScenario.Of(given, swing);
         PaperCalibration firstCalibration = null;

@@ -25,8 +25,11 @@ public class DemoFilesTests
     static DemoRun Play(double seconds) => VirtualStage.Play(
         VirtualDemo.Settings(seconds, "lan", 1, "quadratic") with { VisualisationErrorMs = 3 }, hasScene: false);
 
-    Task<(int Status, string Output, string Errors)> FinishAsync(DemoRun run, bool isInterrupted = false) => CapturedConsole.OfAsync(
-        () => Task.FromResult(DemoVerb.Finish(run, DemoOutput.At(_folder.Path, isPaper: false), isInterrupted)));
+    Task<(int Status, string Output, string Errors)> FinishAsync(DemoRun run, bool isInterrupted = false) => CapturedConsole.OfAsync(() =>
+    {
+        using var output = DemoOutput.At(_folder.Path, isPaper: false);
+        return Task.FromResult(DemoVerb.Finish(run, output, isInterrupted));
+    });
 
     string Written(string file) => File.ReadAllText(Path.Combine(_folder.Path, file));
 

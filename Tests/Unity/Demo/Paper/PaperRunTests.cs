@@ -190,7 +190,8 @@ public class PaperRunTests
 
         await CapturedConsole.OfAsync(() =>
         {
-            PaperSession.Finish([run], complete, repeats, calibration, DemoOutput.At(folder.Path, isPaper: true));
+            using var output = DemoOutput.At(folder.Path, isPaper: true);
+            PaperSession.Finish([run], complete, repeats, calibration, output);
             return Task.FromResult(0);
         });
 
