@@ -30,7 +30,7 @@ static class ConsoleMessages
     public static string MoreRejected(int count) => $"nowpose: {count} more pictures were rejected";
 
     public static string LostLines(string path, long lines) =>
-        $"nowpose: {path}: {lines} lines are missing, because the recording was slower than the session";
+        Line($"{path}: {SessionFileMessages.LinesLost(lines)}");
 
     public static string DroppedExchanges(string file, int dropped, int exchanges, SyncExchangeFault fault) =>
         $"nowpose: {file}: dropped {dropped} of {exchanges} exchanges: {fault}";

@@ -20,9 +20,6 @@ static class RecommendMessages
         FormattableString.Invariant($"the intervals between time stamps are {p5Ms:0.0} to {p95Ms:0.0} ms long (P5 to P95): late time stamps reduce ")
         + "the accuracy; take the time stamps from the controller";
 
-    public static string LinesLost(long lines) =>
-        $"{lines} lines of the session are missing, because the recording was slower than the session; record to a faster disk";
-
     public static string Interrupted(int done, int all) =>
         $"the evaluation was interrupted after {done} of {all} runs, so another predictor or blend can be better; run it again";
 

@@ -20,8 +20,8 @@ static class ReplayMessages
     public static string TooManyPhases(string path, int phases, double seconds, int max) =>
         FormattableString.Invariant($"--phases: {phases} passes over the {seconds:G6} s of {path} are too many; the maximum for this file is {max}");
 
-    public static string OtherPredictor(string path, string predictor) =>
-        $"{path}: the session was displayed with {predictor}; repeat it with --predictor {predictor}";
+    public static string OtherPredictor(string predictor) =>
+        $"the session was displayed with {predictor}; repeat it with --predictor {predictor}";
 
     public static string CoarseRows(double intervalMs, double samplingMs, RecordingGaps? gaps = null) =>
         FormattableString.Invariant($"the rows are {intervalMs:G6} ms apart (median{(gaps is { } found ? "; " + Intervals(found) : "")}), ")
@@ -43,7 +43,7 @@ static class ReplayMessages
         FormattableString.Invariant($"--loss {loss}: no sample arrived, so no frame could be evaluated; use a smaller share");
     public static string TooLarge(string path) => $"{path}: the errors are too large to compute; the positions must be in rad or m";
 
-    public static string NothingScored(string path, int samples) =>
-        $"{path}: no frame could be evaluated: a frame needs a control time between sample {samples} and the last sample of a joint, "
+    public static string NothingScored(int samples) =>
+        $"no frame could be evaluated: a frame needs a control time between sample {samples} and the last sample of a joint, "
         + "and neither a gap between samples nor the age of the newest sample may exceed the maximum gap; record a longer session, or with a larger maximum gap";
 }

@@ -32,6 +32,13 @@ static class SessionFileMessages
     public static string NewerVersion(string place, long version, int supported) =>
         $"{place}: field 'version': the file has version {version}; this program reads version {supported}; update this program";
 
+    public static string LinesLost(long lines) =>
+        $"{lines} lines are missing, because the recording was slower than the session; record to a faster disk";
+
+    public static string NoEnd(ControlTime end) =>
+        "the session has no end line: it was copied while it was recorded, or the program crashed; the results are those up to the control time "
+        + FormattableString.Invariant($"t = {(decimal)end.SinceEpoch.Ticks / TimeSpan.TicksPerSecond:0.000} s");
+
     public static string SecondHeader(string place) => $"{place}: another session begins here, but a file must contain only one; split it before this line";
 
     public static string LineNotAnObject(string place) => $"{place}: is not a JSON object; record the session again";

@@ -50,34 +50,36 @@ static class RecommendVerb
         ConsoleProgress.Run("trying the blend", "runs", BlendCost.Runs * recommendations.Count, report => results.AddRange(
             recommendations.Select(recommendation => (recommendation, new BlendCost(recommendation, () => report(++runs), cancel)))));
         var all = evaluation.Runs + BlendCost.Runs * recording.Subjects.Length;
-        string[] warnings = [.. WarningsOf(recording.Lost, evaluation.Done + runs, all), .. recording.Traits.Warnings()];
+        string[] warnings = [.. WarningsOf(recording.Session, evaluation.Done + runs, all), .. recording.Traits.Warnings()];
         if (json) Console.Out.WriteLine(RecommendJson.Of(path, recording.Traits, warnings, results));
         else RecommendTable.Write(ResultConsole.Create(), path, recording.Traits, warnings, results);
         return ExitStatus.Done;
     }
 
     /// <summary>Gets the warnings that the evaluation or the recording is incomplete.</summary>
-    /// <param name="lost">Number of lines that the recording of a session lost.</param>
+    /// <param name="session">The session; null for a motion.</param>
     /// <param name="done">Number of finished runs; smaller than <paramref name="all"/> only after Ctrl-C.</param>
-    internal static IEnumerable<string> WarningsOf(long lost, int done, int all)
+    internal static IEnumerable<string> WarningsOf(RecordedSession session, int done, int all)
     {
         if (done < all) yield return RecommendMessages.Interrupted(done, all);
-        if (lost > 0) yield return RecommendMessages.LinesLost(lost);
+        if (session?.Lost > 0) yield return SessionFileMessages.LinesLost(session.Lost);
+        if (session?.CutOff is { } end) yield return SessionFileMessages.NoEnd(end);
     }
 
-    static (RecordingTraits Traits, ISubject[] Subjects, long Lost) OfMotion(string path, (double SamplingMs, double LatencyMs)[] conditions)
+    static (RecordingTraits Traits, ISubject[] Subjects, RecordedSession Session) OfMotion(
+        string path, (double SamplingMs, double LatencyMs)[] conditions)
     {
         var motion = MotionRecording.Read(path);
         if (motion.IsBody)
             throw new InputException(RecommendMessages.RigidBody(path));
         var joints = motion.Names.Select((name, joint) => new JointSeries(name, motion.Times, motion.PositionsOf(joint)));
         var subjects = conditions.Select(c => new MotionSubject(path, motion, c.SamplingMs, c.LatencyMs));
-        return (new RecordingTraits([.. joints], conditions.Min(c => c.SamplingMs)), [.. subjects], 0);
+        return (new RecordingTraits([.. joints], conditions.Min(c => c.SamplingMs)), [.. subjects], null);
     }
 
-    static (RecordingTraits Traits, ISubject[] Subjects, long Lost) OfSession(string path)
+    static (RecordingTraits Traits, ISubject[] Subjects, RecordedSession Session) OfSession(string path)
     {
         var session = RecordedSession.Read(path);
-        return (new RecordingTraits(SessionSeries.Of(session)), [new SessionSubject(path, session)], session.Lost);
+        return (new RecordingTraits(SessionSeries.Of(session)), [new SessionSubject(path, session)], session);
     }
 }

@@ -30,6 +30,7 @@ sealed class RecordedSession
     readonly List<(string Frame, RigidTransform Pose)> _objects = [];
     readonly Dictionary<string, (double Value, int Changes)> _signals = [];
     int _line, _timeLine;
+    bool _isComplete;
     long _planned;
     ControlTime? _nextFrame;
 
@@ -52,6 +53,11 @@ sealed class RecordedSession
 
     /// <summary>Number of lines that are missing because the recording could not keep up.</summary>
     public long Lost { get; private set; }
+
+    /// <summary>
+    /// End of the results of an incomplete recording: time of the last event with a known time. Null if the recording is complete or has no events.
+    /// </summary>
+    public ControlTime? CutOff => !_isComplete && _events.FindLast(one => one.IsTimed) is { IsTimed: true } last ? last.At : null;
 
     /// <exception cref="InputException">The file cannot be read or has another format.</exception>
     public static RecordedSession Read(string path)
@@ -86,6 +92,7 @@ sealed class RecordedSession
             case FrameLine frame: Add(frame); break;
             case ClockChangeLine { IsNewStart: true }: StartTimeLine(); break;
             case LostLine lost: Lost += lost.Count; break;
+            case EndLine: _isComplete = true; break;
         }
         if (_values.Count + _planned + NumbersPerPose * (long)_poses.Count + NumbersPerObject * (long)_objects.Count > MaxNumbers)
             throw new InputException(ReplayMessages.TooLong(_path, MaxNumbers));

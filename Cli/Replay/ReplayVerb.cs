@@ -73,18 +73,20 @@ static class ReplayVerb
         if (RecordingText.IsSession(path))
         {
             var session = await Invocation.ReadAsync(() => RecordedSession.Read(path), cancellation);
-            if (session.Lost > 0) await Console.Error.WriteLineAsync(ConsoleMessages.LostLines(path, session.Lost));
-            var own = session.Header.Prediction.Predictor;
-            if (isDefault && own != settings.Predictor)
-                await Console.Error.WriteLineAsync(ConsoleMessages.Line(ReplayMessages.OtherPredictor(path, own)));
+            List<string> warnings = [.. WarningsOf(session, isDefault ? settings.Predictor : null)];
+            foreach (var warning in warnings) await Console.Error.WriteLineAsync(ConsoleMessages.Line($"{path}: {warning}"));
             var result = WithFrames(frames, SessionReplay.AxesOf(session), table => WithProgress("events", 2 * session.Events.Count,
                 report => RunSession(path, session, settings, report, cancellation, table)));
             if (result.Frames == 0 && !cancellation.IsCancellationRequested && session.Events.Any(one => one.Kind == RecordedSession.EventKind.Sample))
-                await Console.Error.WriteLineAsync(ConsoleMessages.Line(SessionReplay.NothingScored(path)));
-            Print(result, json, cancellation.IsCancellationRequested, ReplayConditions.Of(settings, session.Header.Prediction));
+            {
+                warnings.Add(SessionReplay.NothingScored);
+                await Console.Error.WriteLineAsync(ConsoleMessages.Line($"{path}: {warnings[^1]}"));
+            }
+            Print(result, json, cancellation.IsCancellationRequested, ReplayConditions.Of(settings, session.Header.Prediction), warnings);
             return ExitStatus.Done;
         }
         var recording = await Invocation.ReadAsync(() => MotionRecording.Read(path), cancellation);
+        string[] ofMotion = RowInterval.WarningOf(recording, settings.SamplingInterval * MsPerSecond) is { } coarse ? [coarse] : [];
         T Replay<T>(
             IReadOnlyList<(string Name, string Unit)> axes,
             Func<Action<ScoredValue>, (int Frames, Func<Action<int>, CancellationToken, T> Run)> create)
@@ -95,7 +97,7 @@ static class ReplayVerb
                 return WithProgress("frames", total, report => run(report, cancellation));
             });
             // Only after the replay, because invalid input gives only one line.
-            if (RowInterval.WarningOf(recording, settings.SamplingInterval * MsPerSecond) is { } warning)
+            foreach (var warning in ofMotion)
                 Console.Error.WriteLine(ConsoleMessages.Line($"{path}: {warning}"));
             return result;
         }
@@ -104,14 +106,24 @@ static class ReplayVerb
             {
                 var replay = new BodyReplay(path, recording, settings) { Scored = scored };
                 return (replay.Frames, replay.Run);
-            }), json, cancellation.IsCancellationRequested, ReplayConditions.Of(settings));
+            }), json, cancellation.IsCancellationRequested, ReplayConditions.Of(settings), ofMotion);
         else
             Print(Replay<ReplayResult>(ReplayRun.AxesOf(recording), scored =>
             {
                 var replay = new ReplayRun(path, recording, settings) { Scored = scored };
                 return (replay.Frames, replay.Run);
-            }), json, cancellation.IsCancellationRequested, ReplayConditions.Of(settings));
+            }), json, cancellation.IsCancellationRequested, ReplayConditions.Of(settings), ofMotion);
         return ExitStatus.Done;
+    }
+
+    /// <summary>Gets the reasons why the results of a session can mislead a reader.</summary>
+    /// <param name="standard">The predictor of the replay if the user gave none; otherwise null.</param>
+    static IEnumerable<string> WarningsOf(RecordedSession session, string standard)
+    {
+        if (session.Lost > 0) yield return SessionFileMessages.LinesLost(session.Lost);
+        if (session.CutOff is { } end) yield return SessionFileMessages.NoEnd(end);
+        var own = session.Header.Prediction.Predictor;
+        if (standard != null && own != standard) yield return ReplayMessages.OtherPredictor(own);
     }
 
     static void RequireFrames(string frames, string input)
@@ -137,16 +149,19 @@ static class ReplayVerb
 
     /// <param name="isInterrupted">Whether the user ended the replay, so that the result is partial.</param>
     /// <param name="conditions">The conditions of the result, for JSON.</param>
-    internal static void Print(ReplayResult result, bool json, bool isInterrupted, object conditions = null)
+    /// <param name="warnings">Reasons why the result can mislead a reader, for JSON; null if there are none. They are already on stderr.</param>
+    internal static void Print(
+        ReplayResult result, bool json, bool isInterrupted, object conditions = null, IReadOnlyCollection<string> warnings = null)
     {
-        if (json) Console.Out.WriteLine(ReplayJson.Of(result, Notes(isInterrupted), conditions));
+        if (json) Console.Out.WriteLine(ReplayJson.Of(result, [.. Notes(isInterrupted), .. warnings ?? []], conditions));
         else Write(console => ReplayTable.Write(console, result), isInterrupted);
     }
 
-    /// <inheritdoc cref="Print(ReplayResult, bool, bool, object)"/>
-    internal static void Print(BodyReplayResult result, bool json, bool isInterrupted, object conditions = null)
+    /// <inheritdoc cref="Print(ReplayResult, bool, bool, object, IReadOnlyCollection{string})"/>
+    internal static void Print(
+        BodyReplayResult result, bool json, bool isInterrupted, object conditions = null, IReadOnlyCollection<string> warnings = null)
     {
-        if (json) Console.Out.WriteLine(ReplayJson.Of(result, Notes(isInterrupted), conditions));
+        if (json) Console.Out.WriteLine(ReplayJson.Of(result, [.. Notes(isInterrupted), .. warnings ?? []], conditions));
         else Write(console => ReplayTable.Write(console, result), isInterrupted);
     }
 

@@ -89,10 +89,10 @@ sealed class SessionReplay
         }
         if (HasScored) return;
         cancellation.ThrowIfCancellationRequested();
-        throw new InputException(NothingScored(_path));
+        throw new InputException($"{_path}: {NothingScored}");
     }
 
-    internal static string NothingScored(string path) => ReplayMessages.NothingScored(path, SamplesBeforeScoring);
+    internal static string NothingScored => ReplayMessages.NothingScored(SamplesBeforeScoring);
 
     void Play(in RecordedSession.Event next, Action<ScoredValue> scored)
     {

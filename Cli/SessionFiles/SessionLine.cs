@@ -61,5 +61,8 @@ sealed record ClockChangeLine(bool IsNewStart) : SessionLine;
 /// <param name="Joints">Its moving joints, with its namespace.</param>
 sealed record RobotLine(IReadOnlyList<SessionHeader.Joint> Joints) : SessionLine;
 
+/// <summary>The last line of a complete recording.</summary>
+sealed record EndLine : SessionLine;
+
 /// <summary>States how many lines are missing at this point because the recording could not keep up.</summary>
 sealed record LostLine(long Count) : SessionLine;

@@ -58,6 +58,7 @@ static class SessionLines
         "object" => ReadObject(line),
         "clock" => new ClockChangeLine(line.FlagOr("new_start", false)),
         "lost" => new LostLine(line.Whole("count")),
+        "end" => new EndLine(),
         _ => null,
     };
 

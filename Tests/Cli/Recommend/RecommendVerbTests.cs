@@ -4,6 +4,7 @@ using System.Text.Json;
 using Nowpose.Cli;
 using Nowpose.Cli.Messages;
 using Nowpose.Cli.Recommend;
+using Nowpose.Cli.Replay;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Headless.Tests.Cli;
@@ -152,13 +153,29 @@ public class RecommendVerbTests
 
         var result = await JsonOf(path);
 
-        Assert.That(result.GetProperty("warnings").Deserialize<string[]>(), Is.EqualTo(new[] { RecommendMessages.LinesLost(12) }));
+        Assert.That(result.GetProperty("warnings").Deserialize<string[]>(), Is.EqualTo(new[] { SessionFileMessages.LinesLost(12) }));
     }
+
+    [Test]
+    public async Task Recommend_SessionWithoutItsEnd_WarnsOfIt()
+    {
+        using var folder = new TemporaryFolder();
+        var path = Path.Combine(folder.Path, "session.jsonl");
+        VirtualRecording.To(path, seconds: 30);
+        var lines = await File.ReadAllLinesAsync(path);
+        await File.WriteAllLinesAsync(path, lines[..^1]);
+
+        var result = await JsonOf(path);
+
+        Assert.That(result.GetProperty("warnings").Deserialize<string[]>(), Is.EqualTo(new[] { SessionFileMessages.NoEnd(EndOf(path)) }));
+    }
+
+    static ControlTime EndOf(string path) => RecordedSession.Read(path).Events[^1].At;
 
     [TestCase(48, true)]
     [TestCase(52, false)]
     public void WarningsOf_SomeRunsMissing_ReportsTheInterruption(int done, bool warns) =>
-        Assert.That(RecommendVerb.WarningsOf(lost: 0, done, all: 52), Is.EqualTo(warns ? new[] { RecommendMessages.Interrupted(48, 52) } : []));
+        Assert.That(RecommendVerb.WarningsOf(session: null, done, all: 52), Is.EqualTo(warns ? new[] { RecommendMessages.Interrupted(48, 52) } : []));
 
     [Test]
     public async Task Recommend_UnsuitableRecording_PrintsANote()

@@ -141,20 +141,6 @@ public class SessionReplayTests : SessionReplayFixture
     }
 
     [Test]
-    public async Task Replay_SessionWithAnotherPredictor_UsesTheDefaultAndStatesTheOption()
-    {
-        VirtualRecording.To(_path, predictor: "linear");
-
-        var run = await Run("replay", _path, "--json");
-        var repeated = await Run("replay", _path, "--json", "--predictor", "linear");
-
-        using var json = JsonDocument.Parse(run.Output);
-        Assert.That(json.RootElement.GetProperty("predictor").GetString(), Is.EqualTo(Predictors.Default));
-        Assert.That(run.Complaints, Is.EqualTo(new[] { ConsoleMessages.Line(ReplayMessages.OtherPredictor(_path, "linear")) }));
-        Assert.That(repeated.Complaints, Is.Empty);
-    }
-
-    [Test]
     public async Task Json_Session_HasTheKeysOfAMotionAndTotalsForEachUnit()
     {
         VirtualRecording.To(_path);
