@@ -33,7 +33,7 @@ static class ConsoleMessages
         Line($"{path}: {SessionFileMessages.LinesLost(lines)}");
 
     public static string DroppedExchanges(string file, int dropped, int exchanges, SyncExchangeFault fault) =>
-        $"nowpose: {file}: dropped {dropped} of {exchanges} exchanges: {fault}";
+        Line($"{file}: dropped {dropped} of {exchanges} exchanges: {fault}; {ExchangeFileMessages.Remedy(fault)}");
 
     public static string ClockSteps(string file, int steps) => $"nowpose: {file}: {steps} clock steps detected";
     public static string WouldFail(string reason) => $"nowpose: without --check this would fail: {reason}";

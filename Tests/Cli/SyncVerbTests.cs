@@ -9,13 +9,13 @@ namespace Nowpose.Headless.Tests.Cli;
 
 public class SyncVerbTests
 {
-    const long ControlEpoch = 1_700_000_000_000_000_000;
+    internal const long ControlEpoch = 1_700_000_000_000_000_000;
     const string Header = "t1_ns,t2_ns,t3_ns,t4_ns\n";
 
     /// <summary>
     /// Returns a log of exchanges with a delay of 2 ms in each direction. The headset clock is 50 ppm fast. t4 is not a multiple of 100 ns.
     /// </summary>
-    static string Log(int exchanges)
+    internal static string Log(int exchanges)
     {
         var log = new StringBuilder(Header);
         for (var i = 0; i < exchanges; i++)
@@ -166,6 +166,32 @@ public class SyncVerbTests
         Assert.That(run.Errors, Does.Contain(ConsoleMessages.DroppedExchanges(file.Path, 1, 32, SyncExchangeFault.HeadsetTimeReversed)));
     }
 
+    // With the columns of the two clocks exchanged, the control system takes longer than the complete exchange.
+    [TestCase(1, 0, 3, 2, nameof(SyncExchangeFault.NegativeRoundTrip))]
+    [TestCase(3, 1, 2, 0, nameof(SyncExchangeFault.HeadsetTimeReversed))]
+    public async Task Sync_EveryExchangeDropped_NamesTheCauseAndExitsWith2(int t1, int t2, int t3, int t4, string fault)
+    {
+        string Exchanged(string line) => string.Join(',', new[] { t1, t2, t3, t4 }.Select(column => line.Split(',')[column]));
+        using var file = new TemporaryFile(Header + string.Join('\n', Log(20).TrimEnd().Split('\n').Skip(1).Select(Exchanged)) + "\n");
+
+        var run = await CliRun.OfAsync("sync", file.Path);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        var message = ExchangeFileMessages.AllDropped(file.Path, 20, [Enum.Parse<SyncExchangeFault>(fault)]);
+        Assert.That(run.Complaints, Is.EqualTo(new[] { ConsoleMessages.Line(message) }));
+    }
+
+    [Test]
+    public async Task Sync_AllInstantsBeforeTheExchanges_IsNoError()
+    {
+        using var file = new TemporaryFile(Log(20));
+        using var instants = new TemporaryFile("t_ns\n1\n");
+
+        var run = await CliRun.OfAsync("sync", file.Path, "--at", instants.Path);
+
+        Assert.That((run.ExitStatus, run.Lines[1]), Is.EqualTo((0, "1,,,unsynchronised")));
+    }
+
     static readonly string[][] InvalidFiles =
     [
         ["", ":1: " + TableMessages.Header("", Header.TrimEnd())],
@@ -216,81 +242,5 @@ public class SyncVerbTests
 
         Assert.That(run.ExitStatus, Is.EqualTo(2));
         Assert.That(run.Errors, Does.Contain($"{instants.Path}:{line}: " + ExchangeFileMessages.TimeOrder(5, 5)));
-    }
-
-    [TestCase("ransac", SyncPageTexts.Ransac)]
-    [TestCase("default", "default")]
-    public async Task Sync_PageOption_WritesFigure8AndItsData(string estimator, string name)
-    {
-        using var file = new TemporaryFile(Log(200), ".csv");
-        using var folder = new TemporaryFolder();
-        var page = Path.Combine(folder.Path, "clock.html");
-
-        var run = await CliRun.OfAsync("sync", file.Path, "--estimator", estimator, "--page", page);
-
-        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
-        Assert.That(run.Lines, Has.Length.EqualTo(201), "the estimates are printed as well");
-        Assert.That(run.Errors, Does.Contain(page));
-        Assert.That(File.ReadAllText(page), Does.Contain("fitting error").And.Contain(name).And.Contain("clock.csv"));
-        var data = File.ReadAllLines(Path.Combine(folder.Path, "clock.csv"));
-        Assert.That(data, Has.Length.EqualTo(201));
-        Assert.That(double.Parse(data[^1].Split(',')[3], CultureInfo.InvariantCulture), Is.EqualTo(50).Within(0.1), "skew, ppm");
-    }
-
-    [Test]
-    public async Task Sync_PageWithInvalidExchanges_SkipsAndCountsThem()
-    {
-        // Adds four exchanges whose reply precedes the request, and four that are logged twice.
-        IEnumerable<string> Rows(string line, int i) => i == 0 || i % 25 != 0 ? [line] : i % 50 == 0 ? [line, line] : [line, Reversed(line)];
-        using var file = new TemporaryFile(string.Join('\n', Log(200).TrimEnd().Split('\n').SelectMany(Rows)) + "\n", ".csv");
-        using var folder = new TemporaryFolder();
-        var page = Path.Combine(folder.Path, "clock.html");
-
-        var run = await CliRun.OfAsync("sync", file.Path, "--estimator", "ransac", "--page", page);
-
-        Assert.That(run.ExitStatus, Is.EqualTo(0), run.Errors);
-        Assert.That(run.Errors.Split('\n').Count(line => line.Contains(": dropped 4 of 208 ", StringComparison.Ordinal)), Is.EqualTo(2), run.Errors);
-        Assert.That(File.ReadAllText(page), Does.Contain("8 of 208 exchanges are invalid"));
-        Assert.That(File.ReadAllLines(Path.Combine(folder.Path, "clock.csv")), Has.Length.EqualTo(201));
-    }
-
-    // Returns an exchange whose reply arrives before its request is sent. It is between the given exchange and the next one.
-    static string Reversed(string line)
-    {
-        var t4 = long.Parse(line.Split(',')[3], CultureInfo.InvariantCulture);
-        return FormattableString.Invariant($"{t4 + 20_000_000},{ControlEpoch},{ControlEpoch},{t4 + 10_000_000}");
-    }
-
-    [TestCase("log.html", "log.csv")]
-    [TestCase("log.csv", "log.csv")]
-    [TestCase("instants.html", "instants.csv")]
-    [TestCase("other.csv", null)]
-    public async Task Sync_PageOverwritesAnInputFile_Fails(string page, string input)
-    {
-        using var folder = new TemporaryFolder();
-        var (log, instants) = (Path.Combine(folder.Path, "log.csv"), Path.Combine(folder.Path, "instants.csv"));
-        File.WriteAllText(log, Log(200));
-        File.WriteAllText(instants, "t_ns\n1000000000\n");
-
-        var run = await CliRun.OfAsync("sync", log, "--at", instants, "--page", Path.Combine(folder.Path, page));
-
-        Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors, Does.Contain(
-            input == null ? ".html" : OptionValueMessages.WouldOverwriteInput("--page", Path.Combine(folder.Path, input))));
-        Assert.That(File.ReadAllText(log), Is.EqualTo(Log(200)), "the log is unchanged");
-        Assert.That(File.ReadAllText(instants), Does.StartWith("t_ns"), "the instants are unchanged");
-        Assert.That(Directory.GetFiles(folder.Path), Has.Length.EqualTo(2));
-    }
-
-    [TestCase("/dev/null/x/clock.html")]
-    [TestCase("")]
-    public async Task Sync_PageWithAnInvalidPath_Fails(string page)
-    {
-        using var file = new TemporaryFile(Log(20), ".csv");
-
-        var run = await CliRun.OfAsync("sync", file.Path, "--page", page);
-
-        Assert.That(run.ExitStatus, Is.EqualTo(2));
-        Assert.That(run.Errors, Does.Contain($"--page: {page}: cannot be written"));
     }
 }
