@@ -1,3 +1,5 @@
+using Nowpose.Gateway.Messages;
+
 namespace Nowpose.Cli.Messages;
 
 /// <summary>Error messages about CSV files with named columns. The reader adds the file and the line.</summary>
@@ -11,5 +13,5 @@ static class TableMessages
         $"{field}: '{text}' is not a whole number of {unit} (64 bits); correct it, or remove the row";
 
     public static string NotANumber(string field, string text, string unit) =>
-        $"{field}: '{text}' is not a number of {unit}; use a point as the decimal separator";
+        $"{field}: '{text}' is not a number of {unit}; {MotionFileMessages.NumberRemedy(text.Contains(','))}";
 }

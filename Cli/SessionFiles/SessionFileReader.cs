@@ -104,7 +104,7 @@ sealed class SessionFileReader : IDisposable
         {
             return read();
         }
-        catch (Exception e) when (e is IOException or InvalidDataException)
+        catch (Exception e) when (RecordingText.IsUnreadable(e))
         {
             throw RecordingText.Unreadable(_path, e);
         }

@@ -44,6 +44,8 @@ sealed class MotionRecordingReader : IDisposable
         _isBody = BodyColumns.Are(_header);
         if (!_isBody && BodyColumns.Resemble(_header))
             throw Wrong(MotionFileMessages.BodyHeader(Shown(string.Join(',', _header)), BodyColumns.Header));
+        if (_header[0].Contains(';')) throw Wrong(MotionFileMessages.OtherSeparator("semicolons"));
+        if (_header[0].Contains('\t')) throw Wrong(MotionFileMessages.OtherSeparator("tabs"));
         if (_header[0] is not ("t" or "t_s"))
             throw Wrong(MotionFileMessages.FirstColumn(Shown(_header[0])));
         if (_header.Length < 2) throw Wrong(MotionFileMessages.NoJoint(_header[0]));

@@ -1,4 +1,5 @@
 using System.IO.Compression;
+using System.Text;
 using CsvHelper;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
@@ -29,8 +30,10 @@ public static class RecordingText
         var bytes = FileFault.Report<Stream>(
             () => File.OpenRead(path), e => FileFault.IsMissing(e) ? PathMessages.NotFound(path) : PathMessages.NotRead(path, e));
         var text = path.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? new GZipStream(bytes, CompressionMode.Decompress) : bytes;
-        return new StreamReader(new LineLimitStream(
-            text, line => throw new InputException(MotionFileMessages.LineTooLong(path, line, MaxLineMebibytes)), MaxLineMebibytes << 20));
+        var lines = new LineLimitStream(
+            text, line => throw new InputException(MotionFileMessages.LineTooLong(path, line, MaxLineMebibytes)), MaxLineMebibytes << 20);
+        // Without an exception, the names of joints would contain other characters than those of the file.
+        return new StreamReader(lines, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false, throwOnInvalidBytes: true));
     }
 
     /// <summary>Opens a text file as <see cref="Open"/> does, and reads it with a function.</summary>
@@ -46,14 +49,20 @@ public static class RecordingText
         {
             throw new InputException(MotionFileMessages.LineTooLong(path, e.Context.Parser.RawRow, MaxLineMebibytes), e);
         }
-        catch (Exception e) when (e is IOException or InvalidDataException)
+        catch (Exception e) when (IsUnreadable(e))
         {
             throw Unreadable(path, e);
         }
     }
 
+    /// <summary>Whether an exception is a failure while a file is being read.</summary>
+    internal static bool IsUnreadable(Exception e) => e is IOException or InvalidDataException or DecoderFallbackException;
+
     /// <summary>Creates the exception for a failure while a file is being read.</summary>
-    public static InputException Unreadable(string path, Exception e) => e is InvalidDataException
-        ? new InputException(MotionFileMessages.NotGzip(path), e)
-        : new InputException(PathMessages.NotRead(path, e), e);
+    internal static InputException Unreadable(string path, Exception e) => new(e switch
+    {
+        InvalidDataException => MotionFileMessages.NotGzip(path),
+        DecoderFallbackException other => MotionFileMessages.NotUtf8(path, other.BytesUnknown[0]),
+        _ => PathMessages.NotRead(path, e),
+    }, e);
 }

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.IO.Compression;
 using System.Text;
+using Nowpose.Cli.SessionFiles;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Tests.Core;
@@ -127,13 +128,39 @@ public class MotionRecordingTests
         Assert.That(MotionRecording.Read(Write($"t,a\n{first},0\n{second},1\n")).Duration, Is.EqualTo(duration));
     }
 
+    // As Excel saves "CSV (Comma delimited)" on Windows.
+    [TestCase("motion.csv")]
+    [TestCase("session.jsonl")]
+    public void Read_TextInLatin1_NamesTheEncoding(string name)
+    {
+        var path = Write(Encoding.Latin1.GetBytes("t,Gr\u00f6\u00dfe\n0,1\n1,2\n"), name);
+
+        Assert.That(
+            () => name == "motion.csv" ? (object)MotionRecording.Read(path) : new SessionFileReader(path),
+            Throws.TypeOf<InputException>().With.Message.EqualTo(MotionFileMessages.NotUtf8(path, 0xf6)));
+    }
+
+    [Test]
+    public void Read_Utf16WithAByteOrderMark_IsRead() =>
+        Assert.That(MotionRecording.Read(Write([.. Encoding.Unicode.Preamble, .. Encoding.Unicode.GetBytes("t,\u00f6\n0,1\n1,2\n")], "m.csv")).Names,
+            Is.EqualTo(new[] { "\u00f6" }));
+
+    [Test]
+    public void NotANumber_TextWithAComma_NamesTheDecimalSeparator()
+    {
+        Assert.That(MotionFileMessages.NotANumber("'a'", "'1,5'"), Does.EndWith(MotionFileMessages.NumberRemedy(hasComma: true)));
+        Assert.That(MotionFileMessages.NotANumber("'a'", "'left'"), Does.EndWith(MotionFileMessages.NumberRemedy(hasComma: false)));
+    }
+
     static readonly string[][] InvalidContents =
     [
         ["", MotionFileMessages.Empty("")],
         ["\n\n", MotionFileMessages.Empty("")],
         ["0,1\n1,2\n", ":1: " + MotionFileMessages.FirstColumn("'0'")],
         ["time,a\n0,1\n1,2\n", ":1: " + MotionFileMessages.FirstColumn("'time'")],
-        ["t;a\n0;1\n1;2\n", ":1: " + MotionFileMessages.FirstColumn("'t;a'")],
+        ["t;a\n0,0;1,5\n0,1;2,5\n", ":1: " + MotionFileMessages.OtherSeparator("semicolons")],
+        ["t\ta\n0\t1\n1\t2\n", ":1: " + MotionFileMessages.OtherSeparator("tabs")],
+        ["t,a\n0,\"1,5\"\n1,2\n", ":2: " + MotionFileMessages.NotANumber("'a'", "'1,5'")],
         ["t\n0\n1\n", ":1: " + MotionFileMessages.NoJoint("t")],
         ["t,a,\n0,1,2\n1,2,3\n", ":1: " + MotionFileMessages.NoName(3)],
         ["t,a,b,a\n0,1,2,3\n1,2,3,4\n", ":1: " + MotionFileMessages.NameTwice(4, "'a'")],
