@@ -7,6 +7,9 @@ namespace Nowpose.Cli.Sync;
 /// <summary><c>sync FILE.csv</c>: runs a clock estimator with a log of sync exchanges.</summary>
 static class SyncVerb
 {
+    /// <summary>Maximum number of characters that wait to be printed to a file or a pipe.</summary>
+    const int MaxWaiting = 1 << 16;
+
     public static Command Create()
     {
         var file = new Argument<string>("FILE")
@@ -56,21 +59,28 @@ static class SyncVerb
         return ExitStatus.Done;
     }
 
-    // Collects the text first: the console flushes after every line, which would take longer than the estimator.
+    // Collects lines, because the console flushes after every line, which would take longer than the estimator. A terminal gets all lines at the end,
+    // below the progress bar.
     static void Print(IEnumerable<SyncEstimate> estimates, int count, bool atInstants, bool json)
     {
         var text = new StringWriter { NewLine = "\n" };
+        void Flush()
+        {
+            Console.Out.Write(text);
+            text.GetStringBuilder().Clear();
+        }
         ConsoleProgress.Run("estimating", "estimates", count, report =>
         {
             var done = 0;
             var counted = estimates.Select(estimate =>
             {
                 report(++done);
+                if (text.GetStringBuilder().Length > MaxWaiting && Console.IsOutputRedirected) Flush();
                 return estimate;
             });
             if (json) SyncOutput.WriteJson(counted, atInstants, text);
             else SyncOutput.WriteCsv(counted, atInstants, text);
         });
-        Console.Out.Write(text);
+        Flush();
     }
 }

@@ -38,19 +38,21 @@ static class UnityVerb
 
     static async Task<int> RunAsync(string path, PreparationSettings settings, bool isCheck, bool isJson, CancellationToken cancel)
     {
+        Preparation preparation;
+        string backup;
         try
         {
-            var preparation = await Invocation.ReadAsync(() => Preparation.Plan(UnityProject.Open(path), settings), cancel);
-            var backup = isCheck ? null : preparation.Apply();
-            if (isCheck && preparation.Obstacle is { } obstacle) Console.Error.WriteLine(ConsoleMessages.WouldFail(obstacle));
-            foreach (var note in preparation.Notes) Console.Error.WriteLine(ConsoleMessages.Line(note));
-            Console.Out.Write(isJson ? PreparationOutput.Json(preparation, isCheck, backup) : PreparationOutput.Text(preparation, isCheck, backup));
-            return isCheck && preparation.Changes.Count > 0 ? ExitStatus.Failed : ExitStatus.Done;
+            preparation = await Invocation.ReadAsync(() => Preparation.Plan(UnityProject.Open(path), settings), cancel);
+            backup = isCheck ? null : preparation.Apply();
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
             throw new InputException(e.Message, e);
         }
+        if (isCheck && preparation.Obstacle is { } obstacle) Console.Error.WriteLine(ConsoleMessages.WouldFail(obstacle));
+        foreach (var note in preparation.Notes) Console.Error.WriteLine(ConsoleMessages.Line(note));
+        Console.Out.Write(isJson ? PreparationOutput.Json(preparation, isCheck, backup) : PreparationOutput.Text(preparation, isCheck, backup));
+        return isCheck && preparation.Changes.Count > 0 ? ExitStatus.Failed : ExitStatus.Done;
     }
 
     // The help must also work if the package's files are missing or damaged.

@@ -1,11 +1,18 @@
 namespace Nowpose.Gateway.Options;
 
-/// <summary>Reports errors of files and folders that users name as invalid input.</summary>
+/// <summary>Reports errors of files and folders that users name as invalid input, except failures of the disk.</summary>
 public static class FileFault
 {
+    /// <summary>Error numbers of Unix for a failure of the device, a too large file, a full disk and an exceeded quota (Linux, macOS).</summary>
+    static readonly int[] DiskErrors = [5, 27, 28, 122, 69];
+
+    /// <summary>Error codes of Windows for a full disk, and for a failure of the device.</summary>
+    static readonly int[] WindowsDiskErrors = [unchecked((int)0x80070070), unchecked((int)0x80070027), unchecked((int)0x8007045d)];
+
     /// <summary>Accesses a file or folder.</summary>
     /// <param name="message">Creates the message for a failure; one line with the path, the reason and the remedy.</param>
     /// <exception cref="InputException">The access failed.</exception>
+    /// <exception cref="IOException">The disk is full or failed.</exception>
     public static T Report<T>(Func<T> access, Func<Exception, string> message)
     {
         try
@@ -14,7 +21,7 @@ public static class FileFault
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
         {
-            throw new InputException(message(e), e);
+            throw IsOfDisk(e) ? new IOException(message(e), e) : new InputException(message(e), e);
         }
     }
 
@@ -26,6 +33,8 @@ public static class FileFault
             return true;
         },
         message);
+
+    static bool IsOfDisk(Exception e) => e is IOException && (OperatingSystem.IsWindows() ? WindowsDiskErrors : DiskErrors).Contains(e.HResult);
 
     /// <summary>Whether an access failed because the file or its folder does not exist.</summary>
     public static bool IsMissing(Exception e) => e is FileNotFoundException or DirectoryNotFoundException;

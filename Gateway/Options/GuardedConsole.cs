@@ -1,19 +1,36 @@
 using System.Text;
+using Microsoft.Win32.SafeHandles;
 using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Options;
 
 /// <summary>
 /// The standard streams of a program. A line on stderr that cannot be written, for example because the disk is full, is lost, and the program
-/// continues. A result that cannot be written to stdout is an error that names the stream.
+/// continues. A result that cannot be written to stdout is an error that names the stream. If the reader of a pipe has ended, the program ends, too.
 /// </summary>
 public static class GuardedConsole
 {
+    const int StandardOutput = 1;
+
+    /// <summary>The error number EPIPE.</summary>
+    const int PipeError = 32;
+
     /// <summary>Replaces the writers of the console. Call this method once, at the start of the program.</summary>
     public static void Set()
     {
         Console.SetError(new Writer(WriterOf(() => Console.Error), _ => { }));
-        Console.SetOut(new Writer(WriterOf(() => Console.Out), cause => throw new IOException(PathMessages.OutputNotWritten(cause), cause)));
+        Console.SetOut(new Writer(WriterOf(Output), cause => throw new IOException(PathMessages.OutputNotWritten(cause), cause)));
+    }
+
+    /// <summary>Whether a result could not be written because the reader of the pipe has ended, as <c>head</c> does.</summary>
+    public static bool IsClosedPipe(Exception e) => !OperatingSystem.IsWindows() && e is IOException { InnerException.HResult: PipeError };
+
+    // The console ignores this error, so that the program would continue.
+    static TextWriter Output()
+    {
+        if (OperatingSystem.IsWindows() || !Console.IsOutputRedirected) return Console.Out;
+        var stream = new FileStream(new SafeFileHandle(StandardOutput, ownsHandle: false), FileAccess.Write, bufferSize: 0);
+        return stream.CanSeek ? Console.Out : new StreamWriter(stream, Console.OutputEncoding) { AutoFlush = true };
     }
 
     // The console does not open a closed stream.

@@ -57,6 +57,10 @@ public static class Invocation
         {
             return Ended();
         }
+        catch (Exception failure) when (GuardedConsole.IsClosedPipe(failure))
+        {
+            return ExitStatus.Failed;
+        }
         catch (Exception failure)
         {
             return Fail(program, ExitStatus.Failed, place(failure.Message));

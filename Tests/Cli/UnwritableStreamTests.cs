@@ -50,6 +50,31 @@ public class UnwritableStreamTests
     }
 
     [Test]
+    public async Task Sync_ReaderOfThePipeHasEnded_EndsWithoutAMessage()
+    {
+        var rows = Enumerable.Range(0, 4000).Select(i => FormattableString.Invariant($"{i}000000000,{i}000500000,{i}000500000,{i}001000000"));
+        using var log = new TemporaryFile("t1_ns,t2_ns,t3_ns,t4_ns\n" + string.Join('\n', rows) + "\n");
+        // The result is longer than a pipe holds.
+        using var program = PeerProcess.OfShell(
+            $"{{ dotnet '{Path.Combine(AppContext.BaseDirectory, "Nowpose.Cli.dll")}' sync '{log.Path}'; echo status $? >&2; }} | head -n 1");
+
+        await program.EndsAsync();
+
+        Assert.That(program.Lines.Where(line => !line.EndsWith(" estimates", StringComparison.Ordinal)),
+            Is.EquivalentTo(new[] { "t4_ns,offset_ns,skew_ppm,error_bound_ns,state,estimated_error_ns", "status 1" }));
+    }
+
+    [Test]
+    public async Task Replay_FullDisk_IsAFailedRun()
+    {
+        using var motion = new TemporaryFile("t,a\n0,0\n1,1\n2,0\n");
+        using var program = Cli($"replay '{motion.Path}' --frames /dev/full");
+
+        Assert.That(await program.EndsAsync(), Is.EqualTo(1), program.All);
+        Assert.That(program.Lines.Last(), Does.StartWith(ConsoleMessages.Line("--frames: /dev/full: ")));
+    }
+
+    [Test]
     public async Task Gateway_UnwritableErrors_KeepsServing()
     {
         using var gateway = Gateway("simulate --sync-port 0 --ws-port 0 2>/dev/full");
