@@ -7,12 +7,6 @@ namespace Nowpose.Cli.Demo;
 /// <summary>Lists the settings and the results of a run with their labels, for the console and the report.</summary>
 static class DemoFacts
 {
-    /// <summary>Minimum delay of a frame that counts as late: half a frame interval.</summary>
-    static readonly TimeSpan MinLate = TimeSpan.FromSeconds(0.5 / DemoDisplay.FramesPerSecond);
-
-    /// <summary>Share of late frames above which they are reported. A smaller share does not change the results.</summary>
-    const double MinLateShare = 0.01;
-
     public static IEnumerable<(string Label, string Value)> Settings(DemoSettings s) =>
     [
         (DemoTexts.Robot, s.Robot.Name),
@@ -52,7 +46,6 @@ static class DemoFacts
         (DemoTexts.SynchronisedAfter, Number(result.Clock.ConvergedS, "0.0", " s")),
         .. FrameCost(run.Settings, result.Frame),
         (DemoTexts.Counts, Counts(result.Frames, result.Samples, result.Dropped)),
-        .. LateFrames(run.Frames),
     ];
 
     /// <summary>Describes the constant-latency range; no facts without a load.</summary>
@@ -66,16 +59,6 @@ static class DemoFacts
             yield return (DemoTexts.FramesOutside(seen.FramesOutside), DemoTexts.Outside(
                 Number(range.VisualisationMs(true), "0.0#"), Number(range.VisualisationMs(false), "0.0#"),
                 Number(range.RmsOutsideMm, "0.00"), Number(range.RmsInTimeMm, "0.00")));
-    }
-
-    /// <summary>Describes the frames that this machine started late, if they are more than 1 % of the frames; otherwise, no fact.</summary>
-    /// <remarks>A late frame shows the pose for its actual start time. Samples and sync exchanges can also be late; this is not measured.</remarks>
-    public static IEnumerable<(string Label, string Value)> LateFrames(DemoFrames frames)
-    {
-        var scored = frames.Rows.Where(row => row.Elapsed >= DemoScore.WarmUp).ToList();
-        var delays = scored.Where(row => row.Delay > MinLate).Select(row => row.Delay.TotalMilliseconds).ToList();
-        if (delays.Count > MinLateShare * scored.Count)
-            yield return (DemoTexts.LateFrames, DemoTexts.LateFramesValue(delays.Count, scored.Count, delays.Max()));
     }
 
     // No facts in virtual time, in which the cost of a frame is not measured.

@@ -8,6 +8,8 @@ namespace Nowpose.Cli.Demo;
 /// <summary>Stores the displayed values of all frames. Filled during the run without allocations, read after it.</summary>
 sealed class DemoFrames
 {
+    const double MinLateMs = 0.5 * 1000 / DemoDisplay.FramesPerSecond;
+
     readonly int _joints;
     readonly List<double> _displayed;
     readonly List<double> _held;
@@ -50,6 +52,15 @@ sealed class DemoFrames
         return null;
     }
 
+    /// <summary>Gets the frames after the warm-up that this machine started late, by half a frame interval or more.</summary>
+    /// <remarks>A late frame shows the pose for its actual start time. Samples and sync exchanges can also be late; this is not measured.</remarks>
+    public LateFrames Late()
+    {
+        var warm = Rows.Where(row => row.Elapsed >= DemoScore.WarmUp).ToList();
+        var delays = warm.Select(row => row.Delay.TotalMilliseconds).Where(delay => delay > MinLateMs).ToList();
+        return new LateFrames(delays.Count, warm.Count, delays.DefaultIfEmpty().Max());
+    }
+
     /// <summary>Gets the displayed position of a joint.</summary>
     public double Displayed(int frame, int joint) => _displayed[frame * _joints + joint];
 
@@ -70,4 +81,15 @@ sealed class DemoFrames
         TimeSpan Elapsed, HeadsetTime Start, ControlTime TrueLight, ControlTime? AssumedLight, ClockModel Clock,
         PoseState State, double OffsetErrorUs, ToolPosition Tool, ToolPosition HeldTool, double CpuUs, long AllocatedBytes,
         RangeState Range = RangeState.Unknown, PipelineFrame Rendered = default, TimeSpan Delay = default);
+}
+
+/// <summary>The frames of a run that this machine started late.</summary>
+/// <param name="All">Number of all frames among which they were counted.</param>
+/// <param name="MaxMs">Maximum delay, ms; 0 without late frames.</param>
+readonly record struct LateFrames(int Count, int All, double MaxMs)
+{
+    /// <summary>Share above which late frames are reported. A smaller share does not change the results.</summary>
+    const double MinShare = 0.01;
+
+    public bool AreMany => Count > MinShare * All;
 }

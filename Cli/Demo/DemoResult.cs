@@ -9,6 +9,12 @@ sealed record DemoResult(
     DemoResult.Latencies LatencyMs, DemoResult.ClockErrors Clock, DemoResult.ToolErrors ToolErrorMm, DemoResult.FrameCost Frame,
     DemoResult.Hindcasts Hindcast, DemoResult.Ranges Range, DemoResult.LightErrors LightErrorMs, DemoResult.BodyErrors Bodies)
 {
+    /// <summary>Number of scored frames.</summary>
+    public int FramesScored { get; init; }
+
+    /// <summary>Number of frames after the warm-up that this machine started late.</summary>
+    public int FramesLate { get; init; }
+
     /// <summary>The conditions of the run. With <c>--repeats</c>, those of the first repeat.</summary>
     public DemoConditions Conditions { get; init; }
 

@@ -51,7 +51,8 @@ sealed record DemoRun(
     public IReadOnlyList<string> Notes(string interruption)
     {
         var lost = LostLines > 0 ? DemoMessages.LinesLost(LostLines) : null;
-        string[] notes = [interruption, .. Settings.MotionWarnings, .. BeyondLimits.Select(joint => joint.Words), RecordingProblem, lost];
+        var late = Frames.Late() is { AreMany: true } many ? DemoMessages.LateFrames(many) : null;
+        string[] notes = [interruption, late, .. Settings.MotionWarnings, .. BeyondLimits.Select(joint => joint.Words), RecordingProblem, lost];
         return notes.All(note => note == null) ? null : [.. notes.Where(note => note != null)];
     }
 

@@ -37,7 +37,7 @@ sealed class DemoScore
         return new DemoResult(
             Seconds(), _run.Frames.Rows.Count, statistics.Samples, statistics.Dropped,
             _run.Settings.Network.Name, Latencies(), Clock(), Tool(), Frame(), Hindcast(), Range.Result(), LightErrors(), Bodies.Result())
-        { Conditions = DemoConditions.Of(_run.Settings) };
+        { FramesScored = Errors.Count, FramesLate = _run.Frames.Late().Count, Conditions = DemoConditions.Of(_run.Settings) };
     }
 
     // A display without vertices to render has 60 frames per second. Rendering can slow it down.

@@ -1,3 +1,5 @@
+using Nowpose.Cli.Demo;
+
 namespace Nowpose.Cli.Messages;
 
 /// <summary>Messages about failures and errors of the command <c>demo</c>, with remedies.</summary>
@@ -46,6 +48,10 @@ static class DemoMessages
 
     public static string LinesLost(long lines) =>
         FormattableString.Invariant($"session.jsonl: {lines} lines are missing, because the disk was too slow; set --out to a faster disk");
+
+    public static string LateFrames(LateFrames late) =>
+        FormattableString.Invariant($"{late.Count} of {late.All} frames began late, by up to {late.MaxMs:0} ms: this machine was busy, which ")
+        + "increased delays and errors; run it again without other programs";
 
     public static string OtherRecording(string path) =>
         $"--out: {path} is a recording that is not from an earlier demo and would be replaced; use another folder, or move the file";

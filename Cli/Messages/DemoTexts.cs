@@ -37,11 +37,6 @@ static class DemoTexts
     public static string Alarm(string leftSeconds, string found, int alarms) =>
         $"alarm: left at {leftSeconds} s, {found}" + (alarms > 1 ? $", {alarms} alarms" : "");
 
-    public const string LateFrames = "Frames that began late";
-
-    public static string LateFramesValue(int late, int frames, double maxMs) =>
-        FormattableString.Invariant($"{late} of {frames}, by up to {maxMs:0} ms: this machine was busy, which increased delays and errors");
-
     public const string NoLimit = "the profile has no limit, so no alarm is raised";
     public const string NeverLeft = "never left, no alarm";
 

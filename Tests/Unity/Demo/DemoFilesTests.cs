@@ -93,6 +93,19 @@ public class DemoFilesTests
     }
 
     [Test]
+    public async Task Finish_LateFrames_NotesAndCountsThem()
+    {
+        var run = Play(5);
+        for (var i = 200; i < 210; i++) run.Frames.Rows[i] = run.Frames.Rows[i] with { Delay = TimeSpan.FromMilliseconds(30 + i - 200) };
+
+        var (_, output, _) = await FinishAsync(run);
+
+        AssertNotes(output, DemoMessages.LateFrames(new LateFrames(10, 120, 39)));
+        var result = JsonDocument.Parse(Written("result.json")).RootElement;
+        Assert.That((result.GetProperty("frames_late").GetInt32(), result.GetProperty("frames_scored").GetInt32()), Is.EqualTo((10, 120)));
+    }
+
+    [Test]
     public async Task Settings_RecordingInMilliseconds_HaveAWarningThatIsWritten()
     {
         using var file = new TemporaryFile("t,a\n0,0\n10,1\n20,0\n");
@@ -126,7 +139,8 @@ public class DemoFilesTests
         Assert.That(result.GetProperty("latency_ms").GetProperty("app_p50").GetDouble(), Is.GreaterThan(50));
         Assert.That(result.GetProperty("frames").GetInt32(), Is.EqualTo(300));
         Assert.That(result.GetProperty("network").GetString(), Is.EqualTo("lan"));
-        Assert.That(Names(result), Is.EqualTo("seconds frames samples dropped network latency_ms clock tool_error_mm frame hindcast range light_error_ms bodies conditions"));
+        Assert.That(Names(result), Is.EqualTo("seconds frames samples dropped network latency_ms clock tool_error_mm frame hindcast range light_error_ms "
+            + "bodies frames_scored frames_late conditions"));
         Assert.That(result.GetProperty("range").ValueKind, Is.EqualTo(JsonValueKind.Null), "no load");
         Assert.That(Names(result.GetProperty("latency_ms")), Is.EqualTo("app_p50 app_p95 visu total_error_p95"));
         Assert.That(

@@ -100,10 +100,8 @@ public class DemoLoadTests
         foreach (var (second, delayMs) in new[] { (2.0, 90), (3.5, 9), (4.0, 8), (4.5, 41) })
             frames.Add([], [], new DemoFrames.Row { Elapsed = TimeSpan.FromSeconds(second), Delay = TimeSpan.FromMilliseconds(delayMs) });
 
-        var (label, value) = DemoFacts.LateFrames(frames).Single();
-
-        Assert.That(label, Is.EqualTo(DemoTexts.LateFrames));
-        Assert.That(value, Is.EqualTo(DemoTexts.LateFramesValue(2, 3, 41)));
+        Assert.That(frames.Late(), Is.EqualTo(new LateFrames(2, 3, 41)));
+        Assert.That(frames.Late().AreMany, Is.True);
     }
 
     [TestCase(1)]
@@ -114,7 +112,7 @@ public class DemoLoadTests
         for (var i = 0; i < 200; i++)
             frames.Add([], [], new DemoFrames.Row { Elapsed = TimeSpan.FromSeconds(4), Delay = TimeSpan.FromMilliseconds(i < late ? 50 : 1) });
 
-        Assert.That(DemoFacts.LateFrames(frames), Is.Empty);
+        Assert.That((frames.Late().Count, frames.Late().AreMany), Is.EqualTo((late, false)));
     }
 
     static double WhileLoaded(int seed)
