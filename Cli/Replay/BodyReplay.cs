@@ -101,7 +101,7 @@ public sealed class BodyReplay
         _rotation.Add(holdAngle, angle);
         _passes.Add(holdDistance * holdDistance, distance * distance);
         if (Scored == null) return;
-        foreach (var value in ValuesOf(_frame++, Ticks.Of(time), truth, hold, predicted)) Scored(value);
+        foreach (var value in ValuesOf(_frame++, Ticks.Of(time), truth, hold, predicted)) Scored(value with { Pass = _passes.Count });
     }
 
     /// <summary>Gets one value for each of <see cref="Axes"/>.</summary>

@@ -7,10 +7,11 @@ namespace Nowpose.Cli.Replay;
 sealed class FrameTable(TextWriter to, IReadOnlyList<(string Name, string Unit)> axes)
 {
     /// <summary>
-    /// The columns. Their units: t_s in s, those from <c>truth</c> to <c>sd</c> in the unit of the row. The last two columns have the object and the frame of
-    /// its poses; they are empty for other axes.
+    /// The columns. Their units: t_s in s, those from <c>truth</c> to <c>sd</c> in the unit of the row, light_ns in ns. object and frame have the object
+    /// and the frame of its poses; they are empty for other axes. light_ns is t_s as a whole number, because a double cannot hold seconds since 1970
+    /// precisely.
     /// </summary>
-    public const string Header = "t_s,axis,unit,truth,hold,predicted,sd,object,frame";
+    public const string Header = "t_s,axis,unit,truth,hold,predicted,sd,object,frame,pass,light_ns";
 
     public void WriteHeader() => to.Write(Header + "\n");
 
@@ -25,7 +26,8 @@ sealed class FrameTable(TextWriter to, IReadOnlyList<(string Name, string Unit)>
     void Write(in ScoredValue value, in (string Name, string Unit) axis, string name, string frame) => to.Write(
         string.Create(CultureInfo.InvariantCulture, $"{value.Ticks / (decimal)TimeSpan.TicksPerSecond},{CsvField.Quoted(axis.Name)},{axis.Unit},")
         + string.Create(CultureInfo.InvariantCulture, $"{value.Truth:R},{value.Held:R},{value.Predicted:R},{Known(value.Deviation)},")
-        + $"{CsvField.Quoted(name)},{CsvField.Quoted(frame)}\n");
+        + string.Create(CultureInfo.InvariantCulture, $"{CsvField.Quoted(name)},{CsvField.Quoted(frame)},{value.Pass},")
+        + string.Create(CultureInfo.InvariantCulture, $"{value.Ticks * TimeSpan.NanosecondsPerTick}\n"));
 
     // The deviation is empty if it is unknown.
     static string Known(double deviation) => double.IsNaN(deviation) ? "" : deviation.ToString("R", CultureInfo.InvariantCulture);

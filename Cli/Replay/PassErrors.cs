@@ -5,6 +5,9 @@ sealed class PassErrors
 {
     readonly List<(double HoldSquares, double Squares, int Frames)> _passes = [];
 
+    /// <summary>Number of the passes that have begun.</summary>
+    public int Count => _passes.Count;
+
     public void Start() => _passes.Add(default);
 
     /// <summary>Adds the squared errors of a frame to the present pass.</summary>

@@ -40,6 +40,9 @@ sealed class ReplayErrors(IReadOnlyList<(string Name, string Unit)> axes)
 /// <param name="Deviation">Standard deviation that the predictor states; NaN if unknown.</param>
 readonly record struct ScoredValue(long Frame, long Ticks, int Axis, double Truth, double Held, double Predicted, double Deviation)
 {
+    /// <summary>Number of the pass over a motion, from 1; 1 for a session.</summary>
+    public int Pass { get; init; } = 1;
+
     public double HoldError => Held - Truth;
 
     public double Error => Predicted - Truth;

@@ -88,7 +88,8 @@ public sealed class ReplayRun
         {
             var predictor = _predictors[joint];
             var value = new ScoredValue(
-                _frame, Ticks.Of(time), joint, _truth[joint], predictor.Hold, predictor.At(_displayed).Position, predictor.DeviationAt(_displayed));
+                _frame, Ticks.Of(time), joint, _truth[joint], predictor.Hold, predictor.At(_displayed).Position, predictor.DeviationAt(_displayed))
+            { Pass = _passes.Count };
             scored(value);
             holdSquare += value.HoldError * value.HoldError;
             square += value.Error * value.Error;

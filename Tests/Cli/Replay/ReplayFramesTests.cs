@@ -33,10 +33,10 @@ public class ReplayFramesTests
         using var json = JsonDocument.Parse(run.Output);
         var result = json.RootElement;
         var lines = await File.ReadAllLinesAsync(frames);
-        Assert.That(lines[0], Is.EqualTo("t_s,axis,unit,truth,hold,predicted,sd,object,frame"));
+        Assert.That(lines[0], Is.EqualTo("t_s,axis,unit,truth,hold,predicted,sd,object,frame,pass,light_ns"));
         var rows = lines.Skip(1).Select(line => line.Split(',')).ToList();
         Assert.That(rows, Has.Count.EqualTo(2 * result.GetProperty("frames").GetInt32()));
-        Assert.That(rows[^1][0], Is.EqualTo("4"));
+        Assert.That((rows[^1][0], rows[^1][^1]), Is.EqualTo(("4", "4000000000")));
         foreach (var axis in result.GetProperty("axes").EnumerateArray())
         {
             double Of(string key) => axis.GetProperty(key).GetDouble();
@@ -85,6 +85,44 @@ public class ReplayFramesTests
         var rows = (await File.ReadAllLinesAsync(frames)).Skip(1).Select(line => line.Split(',')).ToList();
         Assert.That(rows.Select(row => row[2]).Distinct(), Is.EquivalentTo(new[] { "rad", "m" }));
         Assert.That(rows.Select(row => Number(row[0])), Is.Ordered.And.All.InRange(1_700_000_500, 1_700_000_509));
+    }
+
+    // A script joins the rows of each frame with the line of the frame in the session.
+    [Test]
+    public async Task Replay_FramesOfASession_HaveTheDisplayTimesOfTheSession()
+    {
+        var (session, frames) = (Path.Combine(_folder, "session.jsonl"), Path.Combine(_folder, "frames.csv"));
+        VirtualRecording.To(session, seconds: 8);
+
+        await CliRun.OfAsync("replay", session, "--frames", frames);
+
+        var displayed = File.ReadLines(session).Where(line => line.StartsWith("{\"kind\":\"frame\"", StringComparison.Ordinal))
+            .Select(line => JsonDocument.Parse(line).RootElement).Where(line => line.TryGetProperty("light_ns", out _))
+            .Select(line => line.GetProperty("light_ns").GetRawText()).ToHashSet();
+        var rows = (await File.ReadAllLinesAsync(frames)).Skip(1).Select(line => line.Split(',')[^1]).Distinct().ToList();
+        Assert.That(rows, Has.Count.GreaterThan(200));
+        Assert.That(rows.Where(time => !displayed.Contains(time)), Is.Empty);
+    }
+
+    [Test]
+    public async Task Replay_FramesOfSeveralPasses_HaveTheErrorsOfEachPass([Values] bool isBody)
+    {
+        var frames = Path.Combine(_folder, "frames.csv");
+        var body = Path.Combine(_folder, "body.csv");
+        var lines = Enumerable.Range(0, 300).Select(i => FormattableString.Invariant($"{i / 100.0},{Math.Sin(i / 50.0)},0,0,0,0,0,1"));
+        await File.WriteAllLinesAsync(body, ["t_s,x,y,z,qx,qy,qz,qw", .. lines]);
+
+        var run = await CliRun.OfAsync("replay", isBody ? body : _file, "--phases", "3", "--json", "--frames", frames);
+
+        using var json = JsonDocument.Parse(run.Output);
+        var rows = (await File.ReadAllLinesAsync(frames)).Skip(1).Select(line => line.Split(',')).Where(row => row[1] != "angle").ToList();
+        var passes = rows.GroupBy(row => row[^2]).ToList();
+        Assert.That(passes.Select(pass => pass.Key), Is.EqualTo(new[] { "1", "2", "3" }));
+        foreach (var (pass, expected) in passes.Zip(json.RootElement.GetProperty("passes").EnumerateArray()))
+        {
+            var square = pass.GroupBy(row => row[1]).Sum(axis => axis.Average(row => Math.Pow(Number(row[5]) - Number(row[3]), 2)));
+            Assert.That((isBody ? 1000 : 1) * Math.Sqrt(square), Is.EqualTo(expected.GetProperty("rms").GetDouble()).Within(1e-9));
+        }
     }
 
     [Test]
