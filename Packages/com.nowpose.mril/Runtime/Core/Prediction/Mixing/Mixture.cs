@@ -121,7 +121,7 @@ namespace Nowpose.Prediction.Mixing
         // The mean square of the components of the displacement within one horizon, at the present speed.
         double SquareWithinHorizon(MotionState motion)
         {
-            var displacement = motion.HasJumped ? 0 : motion.Speed * motion.Timing.Horizon;
+            var displacement = motion.KnownSpeed * motion.Timing.Horizon;
             return displacement * displacement / _components;
         }
 

@@ -96,6 +96,9 @@ namespace Nowpose.Prediction.State
         /// <summary>Magnitude of <see cref="Velocity"/>.</summary>
         public double Speed => Vectors.Length(Velocity);
 
+        /// <inheritdoc cref="PositionCheck.KnownSpeed"/>
+        public double KnownSpeed => _check?.KnownSpeed(this) ?? Speed;
+
         /// <summary>
         /// Maximum speed that was reached in both of two consecutive intervals in the same direction, per second; 0 before there are two such
         /// intervals. One interval is not enough, because an object that is moved elsewhere, or an angle that wraps from π to −π, can have any speed
