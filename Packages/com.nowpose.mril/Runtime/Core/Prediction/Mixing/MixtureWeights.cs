@@ -48,7 +48,7 @@ namespace Nowpose.Prediction.Mixing
         readonly double[] _products;
         readonly int _weighted;
 
-        /// <param name="count">Number of forecasts; the first is hold.</param>
+        /// <param name="count">Number of forecasts; the first two are hold and the line.</param>
         public MixtureWeights(int count)
         {
             (_count, _weighted) = (count, count * count);
@@ -109,7 +109,7 @@ namespace Nowpose.Prediction.Mixing
             Span<double> gradient = stackalloc double[_count];
             for (var i = 0; i < gradient.Length; i++) gradient[i] = _products[_weighted + i] + lambda * (Values[i] - prior[i]);
             for (var step = 0; step < Steps; step++)
-                if (!(MoveBestPair(gradient, lambda, SameRatio * min) > MinGain * min)) return;
+                if (!(MoveBestPair(gradient, prior, lambda, SameRatio * min) > MinGain * min)) return;
         }
 
         public void Reset()
@@ -119,7 +119,7 @@ namespace Nowpose.Prediction.Mixing
         }
 
         // Moves weight from the forecast with the largest gradient to the one with the smallest. Returns the reduction of the cost.
-        double MoveBestPair(Span<double> gradient, double lambda, double same)
+        double MoveBestPair(Span<double> gradient, double[] prior, double lambda, double same)
         {
             var (products, values) = (_products, Values);
             int to = 0, from = -1;
@@ -127,7 +127,8 @@ namespace Nowpose.Prediction.Mixing
             for (var i = 0; i < gradient.Length; i++)
             {
                 var slope = gradient[i];
-                if (slope < least - same || (slope <= least + same && values[i] < values[to])) (to, least) = (i, Math.Min(slope, least));
+                if (IsTested(i, prior, same) && (slope < least - same || (slope <= least + same && values[i] < values[to])))
+                    (to, least) = (i, Math.Min(slope, least));
                 if (values[i] > 0 && (slope > largest + same || (slope >= largest - same && values[i] > values[from])))
                     (from, largest) = (i, Math.Max(slope, largest));
             }
@@ -149,5 +150,9 @@ namespace Nowpose.Prediction.Mixing
             gradient[from] -= lambda * move;
             return move * (difference - 0.5 * move * curvature);
         }
+
+        // The line replaces a forecast that has too few samples. While this was so for all errors, they show nothing about the forecast.
+        bool IsTested(int forecast, double[] prior, double same) => forecast <= ForecasterSet.Line || prior[forecast] > 0
+            || Math.Abs(_products[forecast * (_count + 1)] - _products[ForecasterSet.Line * (_count + 1)]) > same;
     }
 }
