@@ -71,11 +71,11 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>Returns a component of one forecast, relative to the newest sample.</summary>
         public double At(int forecast, in TableTime time, int component) => time.Read(_tables, Start(forecast), component, _components);
 
-        /// <summary>Adds one forecast, multiplied by a weight, to a table.</summary>
-        public void AddTo(double[] table, int forecast, double weight, int points)
+        /// <summary>Adds one component of a forecast, multiplied by a weight, to a table.</summary>
+        public void AddTo(double[] table, int component, int forecast, double weight, int points)
         {
             var start = Start(forecast);
-            for (var i = 0; i < points * _components; i++) table[i] += weight * _tables[start + i];
+            for (var i = component; i < points * _components; i += _components) table[i] += weight * _tables[start + i];
         }
 
         int Start(int forecast) => forecast * ForecastTable.Points * _components;

@@ -12,8 +12,8 @@ namespace Nowpose.Prediction.Mixing
     /// <remarks>
     /// No single forecaster is best for every motion: the paper's quadratic is better on clean swings, a straight line on many real machines.
     /// Each new sample shows the errors of the forecasts that were made one horizon before it, the weights are solved from these errors
-    /// (<see cref="MixtureWeights"/>), and the tables of the forecasters and the displayed one are filled. The components of an object have the same
-    /// weights: they have the same kind of noise and motion, so the weights are estimated three times as fast as for a joint.
+    /// (<see cref="MixtureWeights"/>), and the tables of the forecasters and the displayed one are filled. Each component of an object has its own
+    /// weights, which also learn from the other components, because the components have the same kind of motion.
     /// Directly after a jump, the displayed table holds the position. Otherwise, it is that of the best candidate whose gate is open, or else the line at
     /// constant velocity, or else the weighted sum within <see cref="DistanceLimit"/>. The limits of the drive bound the last two. The gates compare with
     /// the weighted sum alone, without the line and without limits.
@@ -41,7 +41,7 @@ namespace Nowpose.Prediction.Mixing
         readonly PredictionLimits _limits;
         readonly ForecasterSet _forecasters;
         readonly Candidate[] _candidates;
-        readonly MixtureWeights _weights;
+        readonly MixtureWeights[] _weights;
         readonly PendingForecasts _pending;
 
         // Null if this part is not used.
@@ -66,7 +66,8 @@ namespace Nowpose.Prediction.Mixing
             (_components, _limits, _forecasters, _candidates) = (components, limits, forecasters, candidates);
             (_changePoints, _distance, _measuresPersistence) = (changePoints, distance, measuresPersistence);
             _points = ForecastTable.PointsUpTo(limits.HorizonCap);
-            _weights = new MixtureWeights(forecasters.Count);
+            _weights = new MixtureWeights[components];
+            for (var c = 0; c < components; c++) _weights[c] = new MixtureWeights(forecasters.Count);
             _pending = new PendingForecasts(components, forecasters, candidates, _weights);
             _table = new double[ForecastTable.Points * components];
             Reset();
@@ -93,7 +94,7 @@ namespace Nowpose.Prediction.Mixing
         {
             foreach (var candidate in _candidates) candidate.Reset();
             _changePoints?.Reset();
-            _weights.Reset();
+            foreach (var weights in _weights) weights.Reset();
             _pending.Clear();
             _distance?.Clear();
             Array.Clear(_table, 0, _table.Length);
@@ -108,7 +109,8 @@ namespace Nowpose.Prediction.Mixing
             var factorPerError = Math.Exp(-motion.Timing.Interval / (_components * TimeConstant));
             // An error that a wrong sample shows would remain in all means for seconds. The next sample drops its forecasts.
             if (!motion.IsUnconfirmed) _pending.Score(motion, factorPerError);
-            _weights.Solve(Prior(motion), PriorErrors * (1 - factorPerError), SquareWithinHorizon(motion));
+            var (prior, square) = (Prior(motion), SquareWithinHorizon(motion));
+            foreach (var weights in _weights) weights.Solve(prior, PriorErrors * (1 - factorPerError), square);
         }
 
         // Extrapolation would multiply the noise of a tracker.
@@ -163,18 +165,19 @@ namespace Nowpose.Prediction.Mixing
         void FillMixture(MotionState motion, double speedFactor)
         {
             // The weights of the last seconds would displace a constant velocity if they include hold.
-            if (_changePoints != null && _changePoints.IsSteady) _forecasters.AddTo(_table, ForecasterSet.Line, 1, _points);
-            else AddForecasts();
+            for (var c = 0; c < _components; c++)
+                if (_changePoints?.IsSteady == true) _forecasters.AddTo(_table, c, ForecasterSet.Line, 1, _points);
+                else AddForecasts(c);
             if (_components == 1 && motion.Count > 1) ForecastTable.LimitToDrive(_table, _points, speedFactor * motion.Velocity[0], motion.Interval, _limits);
         }
 
-        // Adds the weighted sum, within the limit of the distance.
-        void AddForecasts()
+        // Adds one component of the weighted sum, within the limit of the distance.
+        void AddForecasts(int component)
         {
-            var (weights, factor) = (_weights.Values, _distance?.Factor ?? 1);
+            var (weights, factor) = (_weights[component].Values, _distance?.Factor ?? 1);
             for (var i = ForecasterSet.Line; i < weights.Length; i++)
-                if (weights[i] != 0) _forecasters.AddTo(_table, i, weights[i] * factor, _points);
-            if (factor < 1) _forecasters.AddTo(_table, ForecasterSet.Line, 1 - factor, _points);
+                if (weights[i] != 0) _forecasters.AddTo(_table, component, i, weights[i] * factor, _points);
+            if (factor < 1) _forecasters.AddTo(_table, component, ForecasterSet.Line, 1 - factor, _points);
         }
     }
 

@@ -64,11 +64,12 @@ namespace Nowpose.Prediction.Mixing
 
         /// <summary>Adds the errors of all forecasts for one sample.</summary>
         /// <param name="errors">Array that contains the errors from index <paramref name="first"/> on.</param>
-        /// <param name="forgettingFactor">Forgetting factor of one sample, 0 to 1.</param>
-        public void Learn(double[] errors, int first, double forgettingFactor)
+        /// <param name="forgettingFactor">Forgetting factor of one error, 0 to 1.</param>
+        /// <param name="share">Weight of the errors, 0 to 1.</param>
+        public void Learn(double[] errors, int first, double forgettingFactor, double share)
         {
             // Error of the mixture with the current weights.
-            var (products, gain, mixture) = (_products, 1 - forgettingFactor, 0.0);
+            var (products, gain, mixture) = (_products, share * (1 - forgettingFactor), 0.0);
             for (var i = 0; i < _count; i++) mixture += Values[i] * errors[first + i];
             for (int i = 0, row = 0; i < _count; i++, row += _count)
             {

@@ -140,6 +140,24 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(Math.Sqrt(squares / held), Is.LessThan(2), "distance from the newest sample, relative to the error of hold");
         }
 
+        // One component moves smoothly, the others only have noise: their weights are not those of the motion.
+        [Test]
+        public void At_OtherComponentsHaveOnlyNoise_AmplifiesItLess()
+        {
+            var (random, squares, noise) = (new Random(12), 0.0, 5e-3);
+            var body = new BodyPredictor("adaptive", PredictionLimits.Unlimited);
+            for (var k = 0; k < 800; k++)
+            {
+                var t = k * Interval;
+                Add(body, k, new Vector3D(0.3 * Math.Sin(4 * t), noise * random.NextNormal(), noise * random.NextNormal()), UnitQuaternion.Identity);
+                if (k < 200) continue;
+                var shown = body.PositionAt(t + Latency);
+                squares += (shown.Y * shown.Y + shown.Z * shown.Z) / (2 * 600);
+            }
+
+            Assert.That(Math.Sqrt(squares), Is.LessThan(1.7 * noise));
+        }
+
         // Objects of one cell use the same forecasters in turn. The second object is sampled at other times.
         [Test]
         public void At_SharedForecasters_EqualsOwnForecasters()

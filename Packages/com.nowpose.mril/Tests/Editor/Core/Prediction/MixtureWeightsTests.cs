@@ -69,7 +69,7 @@ namespace Nowpose.Tests.Core.Prediction
         {
             for (var k = 0; k < 20; k++)
             {
-                weights.Learn(new[] { hold, line, other }, first: 0, forgettingFactor: 0.95);
+                weights.Learn(new[] { hold, line, other }, first: 0, forgettingFactor: 0.95, share: 1);
                 weights.Solve(Prior, priorEvidence: 0.1, square: 0);
             }
         }
