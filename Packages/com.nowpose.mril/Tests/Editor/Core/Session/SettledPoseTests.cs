@@ -1,4 +1,3 @@
-using System;
 using System.Linq;
 using Nowpose.Session;
 using NUnit.Framework;
@@ -27,7 +26,7 @@ namespace Nowpose.Tests.Core.Session
             var shown = frames.Select((letter, i) =>
             {
                 var state = (PoseState)Letters.IndexOf(letter);
-                settled.Add(HeadsetTime.FromSeconds(100) + TimeSpan.FromMilliseconds(100 * i), state);
+                settled.Add(HeadsetTime.FromSeconds(100 + i / 10.0), state);
                 return Letters[(int)settled.Over(state)];
             });
 
