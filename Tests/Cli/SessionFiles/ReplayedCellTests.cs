@@ -175,7 +175,7 @@ public class ReplayedCellTests : SessionReplayFixture
     [Test]
     public async Task Replay_SessionWithoutObjects_ResultContainsNoObjects()
     {
-        VirtualRecording.To(_path, seconds: 6);
+        VirtualRecording.To(_path, seconds: 6, predictor: "adaptive");
 
         var run = await Run("replay", _path, "--json");
 
