@@ -6,9 +6,9 @@ namespace Nowpose.Headless.Tests.Network;
 /// <summary>Tests a connection that is silent while the gateway responds to the clock sync, as after a gap of the network.</summary>
 public class SilentConnectionTests
 {
-    [TestCase(1.9, false)]
-    [TestCase(2.1, true)]
-    public async Task EndIfSilent_SilentForSomeSeconds_ReconnectsAfterMoreThanTheIntervalOfPings(double silentSeconds, bool isEnded)
+    [TestCase(3.4, false)]
+    [TestCase(3.6, true)]
+    public async Task EndIfSilent_SilentForSomeSeconds_ReconnectsIfAWorkingConnectionIsNotSoLongSilent(double silentSeconds, bool isEnded)
     {
         using var server = new FakeWebSocketServer();
         var clock = new SteppedClock();

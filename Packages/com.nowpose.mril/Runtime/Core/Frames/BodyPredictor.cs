@@ -37,7 +37,7 @@ namespace Nowpose.Frames
         {
             _pipeline = Predictors.OfAnObject<BodySample>(predictor, limits, forecasters, parts);
             for (var part = 0; part < Parts; part++)
-                _blends[part] = new SectionBlend(Components, Predictors.BlendOf(predictor, blend), limits.HorizonCap);
+                _blends[part] = new SectionBlend(Components, Predictors.BlendOf(predictor, blend), _pipeline.MaxAhead);
             _past = new PastValues<PoseSample>(limits.MaximumGap, Between);
             _horizonCap = limits.HorizonCap;
         }

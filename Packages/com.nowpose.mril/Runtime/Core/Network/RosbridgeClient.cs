@@ -21,6 +21,12 @@ namespace Nowpose.Network
         static readonly TimeSpan DiagnosticsInterval = ClockTicks.Span(1), MinDiagnosticsInterval = ClockTicks.Span(0.2);
 
         /// <summary>
+        /// Silence after which a connection may have lost data. A working one is silent for less, because after the interval of the pings, the headset asks the
+        /// gateway for a response together with the next diagnostics.
+        /// </summary>
+        static readonly TimeSpan MaxSilence = ProtocolLimits.PingInterval + DiagnosticsInterval + ClockTicks.Span(0.5);
+
+        /// <summary>
         /// Interval of the displayed joints. It is sufficient for a smooth display, and its traffic is small compared with the received traffic.
         /// </summary>
         static readonly TimeSpan DisplayedInterval = ClockTicks.Span(0.05);
@@ -84,10 +90,10 @@ namespace Nowpose.Network
         }
 
         /// <summary>
-        /// Ends a connection that has been silent for longer than the interval of the pings, because the gateway responds to another connection:
-        /// after a gap of the network, TCP sends lost data again only after a time that may be as long as the gap.
+        /// Ends a connection that has been silent for longer than <see cref="MaxSilence"/>, because the gateway responds to another connection: after a gap
+        /// of the network, TCP sends lost data again only after a time that may be as long as the gap.
         /// </summary>
-        public bool EndIfSilent() => Silence > ProtocolLimits.PingInterval && _silent != null && _silent.TrySetResult(true);
+        public bool EndIfSilent() => Silence > MaxSilence && _silent != null && _silent.TrySetResult(true);
 
         async Task EndAsync()
         {
@@ -130,11 +136,12 @@ namespace Nowpose.Network
             {
                 await OpenAsync(link).ConfigureAwait(false);
                 _listener.Connected(_clock.Now);
+                var silent = _silent = new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);
                 var subscribing = SubscribeAsync(sender, end.Token);
                 var receiving = ReceiveAsync(link, backoff, end.Token);
                 var publishing = PublishAsync(sender, end.Token);
                 var exchanging = _rosTime == null ? publishing : _rosTime.RunAsync(sender, end.Token);
-                var all = new[] { receiving, subscribing, publishing, exchanging, WatchAsync(end.Token) };
+                var all = new[] { receiving, subscribing, publishing, exchanging, WatchAsync(silent, end.Token) };
                 var first = await Task.WhenAny(all).ConfigureAwait(false);
                 end.Cancel();
                 link.Dispose();
@@ -279,13 +286,12 @@ namespace Nowpose.Network
         }
 
         // Runs separately from the tasks that send, because a send over a lost connection may never complete.
-        async Task WatchAsync(CancellationToken cancel)
+        async Task WatchAsync(TaskCompletionSource<bool> silent, CancellationToken cancel)
         {
-            var silent = _silent = new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);
             while (true)
             {
                 var left = ProtocolLimits.PongTimeout - Silence;
-                if (silent.Task.IsCompleted) throw new IOException(ConnectionMessages.NothingReceived(ProtocolLimits.PingInterval.TotalSeconds));
+                if (silent.Task.IsCompleted) throw new IOException(ConnectionMessages.NothingReceived(MaxSilence.TotalSeconds));
                 if (left < TimeSpan.Zero) throw new IOException(ConnectionMessages.NothingReceived(ProtocolLimits.PongTimeout.TotalSeconds));
                 // Waits one timer step longer: the timer counts whole steps and would otherwise fire repeatedly within the last step.
                 await (await Task.WhenAny(silent.Task, Task.Delay(left + TimerStep, cancel)).ConfigureAwait(false)).ConfigureAwait(false);

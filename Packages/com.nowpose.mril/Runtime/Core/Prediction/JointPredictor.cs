@@ -28,7 +28,7 @@ namespace Nowpose.Prediction
         internal JointPredictor(PredictionPipeline<JointSample> pipeline, PredictionLimits limits, double blend)
         {
             (_pipeline, _limits) = (pipeline, limits);
-            (_blend, _plan) = (new SectionBlend(components: 1, blend, limits.HorizonCap), new PlanFollower(pipeline, limits));
+            (_blend, _plan) = (new SectionBlend(components: 1, blend, pipeline.MaxAhead), new PlanFollower(pipeline, limits));
         }
 
         /// <summary>Position of the newest sample, which a display without compensation shows; 0 before the first sample.</summary>

@@ -23,23 +23,24 @@ namespace Nowpose.Prediction
         /// </summary>
         const double MaxResidualRatio = 4;
 
-        readonly double _maxTimeConstant, _horizonCap;
+        readonly double _maxTimeConstant, _maxAhead;
         readonly double[] _residual;
         double _from, _timeConstant;
         bool _isActive;
 
-        // Last display time, and the time of the newest sample of the section that was displayed at this time.
+        // Last display time, and the time of the newest sample of the section that was displayed at this time; negative infinity if nothing was displayed, or
+        // a held position.
         double _lastDisplayed, _displayedSection;
 
         /// <param name="components">Number of components of the displayed value.</param>
         /// <param name="blend">Maximum time constant of the decay, in s. 0 means no blending: the displayed value jumps.</param>
-        /// <param name="horizonCap">Time after its newest sample from which on a section is held, in s.</param>
+        /// <param name="maxAhead">Time after its newest sample from which on a section is held, in s.</param>
         /// <exception cref="ArgumentOutOfRangeException">The time constant is negative or not finite.</exception>
-        public SectionBlend(int components, double blend, double horizonCap)
+        public SectionBlend(int components, double blend, double maxAhead)
         {
             if (!(blend >= 0) || double.IsPositiveInfinity(blend))
                 throw new ArgumentOutOfRangeException(nameof(blend), blend, PredictionMessages.NegativeSeconds);
-            (_maxTimeConstant, _residual, _horizonCap) = (blend, new double[components], horizonCap);
+            (_maxTimeConstant, _residual, _maxAhead) = (blend, new double[components], maxAhead);
             Reset();
         }
 
@@ -56,7 +57,9 @@ namespace Nowpose.Prediction
         public void StoreReplaced(double displayed, double newest)
         {
             // If several samples arrive between two frames, the displayed section is the section before the first of them.
-            if (displayed != _lastDisplayed) (_lastDisplayed, _displayedSection) = (displayed, newest);
+            if (displayed == _lastDisplayed) return;
+            // Blending would show a part of a held position as current.
+            (_lastDisplayed, _displayedSection) = (displayed, displayed - newest <= _maxAhead ? newest : double.NegativeInfinity);
         }
 
         /// <summary>Starts the decay at the last display time.</summary>
@@ -74,10 +77,8 @@ namespace Nowpose.Prediction
                 _residual[c] = residual[c];
                 squares += _residual[c] * _residual[c];
             }
-            var age = displayed - _displayedSection;
-            // Before the first section, nothing was displayed. Blending would show a part of a held position as current.
-            _isActive = _timeConstant > 0 && !double.IsInfinity(_displayedSection) && age <= _horizonCap
-                && Math.Sqrt(squares) <= MaxResidualRatio * motion.MaxSpeed * age;
+            _isActive = _timeConstant > 0 && !double.IsInfinity(_displayedSection)
+                && Math.Sqrt(squares) <= MaxResidualRatio * motion.MaxSpeed * (displayed - _displayedSection);
         }
 
         /// <summary>Ends the decay: the section is displayed as it is.</summary>

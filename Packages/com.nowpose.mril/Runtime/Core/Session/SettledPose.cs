@@ -14,15 +14,16 @@ namespace Nowpose.Session
     {
         readonly HeadsetTime?[] _last = new HeadsetTime?[(int)PoseState.Current];
         HeadsetTime _now;
-        bool _hasBeenCurrent;
+        bool _isCurrent, _hasBeenCurrent;
 
         /// <summary>Adds the state of a frame.</summary>
         /// <param name="at">Start of the frame, not earlier than that of the previous frame.</param>
         public void Add(HeadsetTime at, PoseState state)
         {
-            _now = at;
-            if (state == PoseState.Current) _hasBeenCurrent = true;
-            else if (_hasBeenCurrent) _last[(int)state] = at;
+            // A frame may get the worse state of a moving base after that of its joints.
+            if (at > _now) _hasBeenCurrent |= _isCurrent;
+            (_now, _isCurrent) = (at, state == PoseState.Current);
+            if (!_isCurrent && _hasBeenCurrent) _last[(int)state] = at;
         }
 
         /// <summary>Returns the state to show for a pose whose state in the newest frame is given.</summary>

@@ -8,7 +8,7 @@ namespace Nowpose.Sync
     /// </summary>
     /// <remarks>
     /// Control time advances at 0.994 to 1.006 times the rate of headset time while the clock is synchronised, at 0.949 to 1.051 times while
-    /// it is coarse, and at 0.5 to 1.5 times before that. It never stops or goes back otherwise. The state is converging
+    /// it is coarse, and at 0.5 to 1.5 times before that. Apart from these jumps, it never stops or goes back. The state is converging
     /// until this clock has caught up with the first usable estimate, and while it catches up with an estimate that is more than 10 ms away, for
     /// example after a time without exchanges, because a pose is not current while the clock is tens of milliseconds away from the estimate.
     /// </remarks>

@@ -59,7 +59,10 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>The weights, one per forecast; valid from the first solve on.</summary>
         public double[] Values { get; }
 
-        /// <summary>Sum of the weights of all errors so far: 0 at first, 1 after several time constants of the forgetting factor.</summary>
+        /// <summary>
+        /// Sum of the weights of all errors so far: 0 at first, and after several time constants of the forgetting factor 1 for a joint, and 0.53 for an
+        /// object, the mean of the shares of the errors.
+        /// </summary>
         public double Evidence { get; private set; }
 
         /// <summary>Adds the errors of all forecasts for one sample.</summary>

@@ -119,6 +119,29 @@ namespace Nowpose.Tests.Core.Prediction
         }
 
         [Test]
+        public void Follow_PlanLongAfterTheNewestSample_DoesNotJump()
+        {
+            var (blended, _) = Moving(1);
+            blended.Add(1 + Interval, 1 + Interval);
+            var shown = blended.Show(1.33);
+
+            blended.Follow(new JointPath(new[] { 0.0, 0.5 }, new[] { 1.25, 1.75 }, new[] { 1.0, 1 }), 1.2);
+
+            Assert.That(blended.Show(1.33).Position, Is.EqualTo(shown.Position).Within(1e-12));
+        }
+
+        [Test]
+        public void At_FirstSampleAfterAPositionHeldBeyondTheForecasts_IsNotBlended()
+        {
+            var limits = new PredictionLimits(horizonCap: 1);
+            var (blended, bare) = Moving(1, limits, "adaptive");
+            blended.Show(1.8);
+            for (var i = 1; i <= 16; i++) Add(blended, bare, 1 + i * Interval, 1 + i * Interval);
+
+            Assert.That(blended.Show(1.82).Position, Is.EqualTo(bare.At(1.82).Position).Within(1e-12));
+        }
+
+        [Test]
         public void DropPlan_WhileFollowingThePlan_DoesNotJump()
         {
             var (blended, bare) = Moving(1);
