@@ -59,7 +59,7 @@ namespace Nowpose.Prediction
             // If several samples arrive between two frames, the displayed section is the section before the first of them.
             if (displayed == _lastDisplayed) return;
             // Blending would show a part of a held position as current.
-            (_lastDisplayed, _displayedSection) = (displayed, displayed - newest <= _maxAhead ? newest : double.NegativeInfinity);
+            (_lastDisplayed, _displayedSection) = (displayed, displayed - newest > _maxAhead ? double.NegativeInfinity : newest);
         }
 
         /// <summary>Starts the decay at the last display time.</summary>

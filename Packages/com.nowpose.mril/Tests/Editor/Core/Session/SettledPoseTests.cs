@@ -33,16 +33,20 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(new string(shown.ToArray()), Is.EqualTo(expected));
         }
 
-        [Test]
-        public void Over_StateAddedTwiceInAFrame_IsTheWorse()
+        // The joints are current, their moving base is not.
+        [TestCase(true, PoseState.Held)]
+        [TestCase(false, PoseState.Current)]
+        public void Over_WorseStateAddedInAFrame_CountsAsTheStateOfTheFrame(bool wasCurrent, PoseState expected)
         {
             var settled = new SettledPose();
+            if (wasCurrent) settled.Add(HeadsetTime.FromSeconds(99.9), PoseState.Current);
             settled.Add(HeadsetTime.FromSeconds(100), PoseState.Current);
             settled.Add(HeadsetTime.FromSeconds(100), PoseState.Held);
-
             Assert.That(settled.Over(PoseState.Held), Is.EqualTo(PoseState.Held));
+
             settled.Add(HeadsetTime.FromSeconds(100.1), PoseState.Current);
-            Assert.That(settled.Over(PoseState.Current), Is.EqualTo(PoseState.Held));
+
+            Assert.That(settled.Over(PoseState.Current), Is.EqualTo(expected));
         }
     }
 }
