@@ -21,12 +21,6 @@ namespace Nowpose.Network
         static readonly TimeSpan DiagnosticsInterval = ClockTicks.Span(1), MinDiagnosticsInterval = ClockTicks.Span(0.2);
 
         /// <summary>
-        /// Silence after which a connection may have lost data. A working one is silent for less, because after the interval of the pings, the headset asks the
-        /// gateway for a response together with the next diagnostics.
-        /// </summary>
-        static readonly TimeSpan MaxSilence = ProtocolLimits.PingInterval + DiagnosticsInterval + ClockTicks.Span(0.5);
-
-        /// <summary>
         /// Interval of the displayed joints. It is sufficient for a smooth display, and its traffic is small compared with the received traffic.
         /// </summary>
         static readonly TimeSpan DisplayedInterval = ClockTicks.Span(0.05);
@@ -90,10 +84,10 @@ namespace Nowpose.Network
         }
 
         /// <summary>
-        /// Ends a connection that has been silent for longer than <see cref="MaxSilence"/>, because the gateway responds to another connection: after a gap
+        /// Ends a connection that has been silent for longer than <see cref="ProtocolLimits.MaxSilence"/>, because the gateway responds to another connection: after a gap
         /// of the network, TCP sends lost data again only after a time that may be as long as the gap.
         /// </summary>
-        public bool EndIfSilent() => Silence > MaxSilence && _silent != null && _silent.TrySetResult(true);
+        public bool EndIfSilent() => Silence > ProtocolLimits.MaxSilence && _silent != null && _silent.TrySetResult(true);
 
         async Task EndAsync()
         {
@@ -291,7 +285,7 @@ namespace Nowpose.Network
             while (true)
             {
                 var left = ProtocolLimits.PongTimeout - Silence;
-                if (silent.Task.IsCompleted) throw new IOException(ConnectionMessages.NothingReceived(MaxSilence.TotalSeconds));
+                if (silent.Task.IsCompleted) throw new IOException(ConnectionMessages.NothingReceived(ProtocolLimits.MaxSilence.TotalSeconds));
                 if (left < TimeSpan.Zero) throw new IOException(ConnectionMessages.NothingReceived(ProtocolLimits.PongTimeout.TotalSeconds));
                 // Waits one timer step longer: the timer counts whole steps and would otherwise fire repeatedly within the last step.
                 await (await Task.WhenAny(silent.Task, Task.Delay(left + TimerStep, cancel)).ConfigureAwait(false)).ConfigureAwait(false);
