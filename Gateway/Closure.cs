@@ -9,6 +9,9 @@ public enum Closure
     /// <summary>The gateway had reached its connection limit.</summary>
     ConnectionLimit,
 
+    /// <summary>The source had its maximum number of connections.</summary>
+    SourceLimit,
+
     /// <summary>Too few file descriptors were left for the connection.</summary>
     DescriptorLimit,
 

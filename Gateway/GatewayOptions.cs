@@ -88,7 +88,7 @@ public sealed record GatewayOptions
 
     /// <summary>
     /// Maximum number of connections to both ports with the token of one source and from one address. Several sources may share a token, and none of
-    /// them may use all connections.
+    /// them may use all connections. A connection above the maximum is refused.
     /// </summary>
     internal int MaxConnectionsOfSource => MaxConnectionsFor(Role.Source) / 4;
 

@@ -16,7 +16,7 @@ sealed class TimeRequestLimits(GatewayOptions options, AccessControl accessContr
     {
         var max = options.MaxConnectionsFor(role);
         if (PlaceOf(context, max) is not { } place)
-            await accessControl.RefuseExcessAsync(context, max);
+            await accessControl.RefuseExcessAsync(context, Closure.ConnectionLimit, LimitMessages.Connections(max));
         else if (place.Rate.TryTake())
             return true;
         else

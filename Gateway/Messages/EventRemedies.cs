@@ -32,6 +32,9 @@ static class EventRemedies
     public const string HeadsetNames = "Set another Headset Name in the session settings of one of the two headsets.";
     public const string Connections = "Close clients that are not needed, or increase max-connections and start the gateway again.";
 
+    public const string ConnectionsOfSource = "Close connections of this source that are not needed, give each source its own token, or increase "
+        + "max-connections and start the gateway again.";
+
     public const string Descriptors = "Close clients that are not needed, or raise the limit on open files (ulimit -n, LimitNOFILE= of the systemd unit, "
         + "--ulimit nofile= of the container) and start the gateway again.";
 

@@ -109,6 +109,14 @@ static class EventTexts
     public static string Connections(int max, long refused) => FormattableString.Invariant(
         $"the maximum is {max}; connections refused since the start of the gateway: {refused}");
 
+    public const string SourceLimitReached = "refuses connections of a source with its maximum number of connections";
+
+    /// <param name="port">sync or websocket.</param>
+    public static string PortSourceLimitReached(string port) => $"the {port} port {SourceLimitReached}";
+
+    public static string RefusedOfSources(long refused) => FormattableString.Invariant(
+        $"connections refused for this reason since the start of the gateway: {refused}");
+
     public const string NoDescriptor = "refuses connections because of too few file descriptors";
 
     /// <param name="port">sync or websocket.</param>

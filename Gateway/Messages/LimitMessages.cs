@@ -7,6 +7,12 @@ static class LimitMessages
     public static string MoreLines(string line, int count) => $"{line} ({count} more)";
 
     public static string Connections(int max) => $"no more than {max} connections are allowed";
+
+    /// <param name="max">Maximum number of connections of a source.</param>
+    public static string ConnectionsOfSource(int max) =>
+        $"no more than {max} connections to both ports are allowed with the token of one source from one address, a quarter of those of all sources; "
+        + "close some, give each source its own token, or increase --max-connections";
+
     public static string Requests(int max) => $"no more than {max} requests a second are allowed";
 
     public static string NoDescriptor(ulong number, ulong allowed, ulong spare) =>

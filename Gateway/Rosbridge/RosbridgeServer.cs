@@ -52,7 +52,15 @@ sealed class RosbridgeServer(
         var max = options.MaxConnectionsFor(role);
         if (!counters.TryEnter(max))
         {
-            await accessControl.RefuseExcessAsync(context, max);
+            await accessControl.RefuseExcessAsync(context, Closure.ConnectionLimit, LimitMessages.Connections(max));
+            return;
+        }
+
+        using var place = access.Sources.TryEnter(accessControl.TokenHashOf(context), role, context.Connection.RemoteIpAddress);
+        if (place == null)
+        {
+            counters.Leave(Closure.SourceLimit);
+            await accessControl.RefuseExcessAsync(context, Closure.SourceLimit, LimitMessages.ConnectionsOfSource(options.MaxConnectionsOfSource));
             return;
         }
 
@@ -100,8 +108,7 @@ sealed class RosbridgeServer(
             IsOwnAdapter = options.IsOwnAdapter(token),
             MaxMessagesPerSecond = perSecond,
         };
-        using var watched = access.Watch(
-            token, role, context.Connection.RemoteIpAddress, connection.End, accessControl.LoginOf(context));
+        using var watched = access.Watch(token, role, connection.End, accessControl.LoginOf(context));
         var why = await connection.RunAsync(session);
         if (why == Closure.MalformedFrame)
             await upgrade.DrainAsync(ProtocolLimits.CloseTimeout);

@@ -98,11 +98,12 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
     }
 
     /// <summary>Refuses a connection beyond the maximum number, which the caller has counted.</summary>
-    /// <param name="max">Maximum number of connections for the role of the client.</param>
-    public Task RefuseExcessAsync(HttpContext context, int max)
+    /// <param name="why">The limit.</param>
+    /// <param name="text">The limit with its value, and what the user can do.</param>
+    public Task RefuseExcessAsync(HttpContext context, Closure why, string text)
     {
-        Log(context, AccessMessages.Refused(Closure.ConnectionLimit));
-        return AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, LimitMessages.Connections(max));
+        Log(context, AccessMessages.Refused(why));
+        return AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, text);
     }
 
     /// <summary>Rejects a request from an address that has sent too many wrong tokens or codes.</summary>

@@ -1,4 +1,3 @@
-using System.Net;
 using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Security;
@@ -28,8 +27,11 @@ sealed class AccessWatch : IDisposable
         _options = options;
         _log = log;
         _expiry = new ExpiryNotice(log);
+        Sources = new SourceShares(options);
         _timer = new Timer(_ => Look());
     }
+
+    public SourceShares Sources { get; }
 
     /// <summary>Number of watched connections.</summary>
     public int Count
@@ -44,27 +46,23 @@ sealed class AccessWatch : IDisposable
     public void Start() => _timer.Change(TimeSpan.Zero, Timeout.InfiniteTimeSpan);
 
     /// <summary>
-    /// Watches a connection until the returned object is disposed. At the maximum of a paired headset, or of a source's token at one address, the
-    /// connection replaces the oldest one.
+    /// Watches a connection until the returned object is disposed. At the maximum of a paired headset, the connection replaces the oldest one.
     /// </summary>
     /// <param name="tokenHash">Hash of the connection's token; null if it connected without a token.</param>
     /// <param name="role">Role of the connection.</param>
-    /// <param name="address">Address of the client.</param>
     /// <param name="end">Called once, with the reason, when the connection must end; must not block.</param>
     /// <param name="lasts">
     /// Returns whether the browser session is still valid; null for a connection that sent the token itself. Must not block.
     /// </param>
-    public IDisposable Watch(byte[] tokenHash, Role role, IPAddress address, Action<Closure> end, Func<bool> lasts = null)
+    public IDisposable Watch(byte[] tokenHash, Role role, Action<Closure> end, Func<bool> lasts = null)
     {
         var isHeadset = tokenHash != null && _options.Headsets?.Contains(tokenHash) == true;
-        var hasMaxOfSource = tokenHash != null && role == Role.Source && !_options.IsOwnAdapter(tokenHash);
-        var watched = new Watched(this, tokenHash, role, isHeadset ? null : address, end, lasts);
+        var watched = new Watched(this, tokenHash, role, end, lasts);
         Watched[] replaced = [];
         lock (_watched)
         {
             _watched.AddLast(watched);
-            if (isHeadset || hasMaxOfSource)
-                replaced = [.. _watched.Where(watched.IsLike).SkipLast(isHeadset ? MaxOfHeadset : _options.MaxConnectionsOfSource)];
+            if (isHeadset) replaced = [.. _watched.Where(watched.HasSameToken).SkipLast(MaxOfHeadset)];
         }
 
         foreach (var old in replaced) old.End(Closure.ConnectionLimit);
@@ -113,15 +111,13 @@ sealed class AccessWatch : IDisposable
         _expiry.Look(_options.Certificate?.NotAfter, DateTime.Now);
     }
 
-    /// <param name="address">Address of the client; null for a headset, whose connections count together.</param>
-    sealed class Watched(AccessWatch watch, byte[] tokenHash, Role role, IPAddress address, Action<Closure> end, Func<bool> lasts) : IDisposable
+    sealed class Watched(AccessWatch watch, byte[] tokenHash, Role role, Action<Closure> end, Func<bool> lasts) : IDisposable
     {
-        IPAddress Address => address;
         byte[] TokenHash => tokenHash;
 
         public bool Holds => watch._options.Holds(tokenHash, role) && lasts?.Invoke() != false;
 
-        public bool IsLike(Watched other) => tokenHash.AsSpan().SequenceEqual(other.TokenHash) && Equals(address, other.Address);
+        public bool HasSameToken(Watched other) => tokenHash.AsSpan().SequenceEqual(other.TokenHash);
 
         public void End(Closure why)
         {

@@ -26,6 +26,7 @@ sealed class ServedSyncConnection
     readonly byte[] _frame = new byte[SyncFrame.Size];
     bool _isAccepted;
     IDisposable _watched;
+    IDisposable _place;
     int _stopped = NotStopped;
     volatile bool _isOverdue;
 
@@ -96,6 +97,7 @@ sealed class ServedSyncConnection
         }
 
         _watched?.Dispose();
+        _place?.Dispose();
         _pending.Dispose();
         var stopped = Volatile.Read(ref _stopped);
         // Reports the end before the client can detect it.
@@ -190,10 +192,18 @@ sealed class ServedSyncConnection
         var isValid = role != null || !_options.AsksForTokens;
         if (role != null)
         {
+            _place?.Dispose();
+            _place = _access.Sources.TryEnter(hash, role.Value, Address);
+            if (_place == null)
+            {
+                Stop(Closure.SourceLimit);
+                return false;
+            }
+
             _isAccepted = true;
             Role = role;
             _watched?.Dispose();
-            _watched = _access.Watch(hash, role.Value, Address, Stop);
+            _watched = _access.Watch(hash, role.Value, Stop);
         }
 
         if (!isValid) SlowDown();

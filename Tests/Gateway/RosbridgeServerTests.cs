@@ -1,7 +1,10 @@
 using System.Net;
 using System.Net.WebSockets;
+using System.Text;
 using NUnit.Framework;
 using Nowpose.Gateway;
+using Nowpose.Gateway.Messages;
+using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;
 
@@ -65,28 +68,61 @@ public class RosbridgeServerTests
     }
 
     [Test]
-    public async Task Connections_ManyOfOneSource_ReplaceItsOldestOnesAndLeavePlacesForOtherSources()
+    public async Task Connections_OfOneSourceAboveItsMaximum_AreRefusedAndTheOthersStayOpen()
     {
         await using var gateway = await Gateways.StartAsync(Gateways.Options() with { MaxConnections = 4, Tokens = Gateways.Tokens });
         var clients = new List<RawRosbridgeClient>();
         try
         {
-            for (var i = 0; i < 15; i++)
+            for (var i = 0; i < 5; i++) clients.Add(await ConnectSourceAsync(gateway));
+
+            for (var i = 0; i < 3; i++)
             {
-                clients.Add(await RawRosbridgeClient.ConnectAsync(
-                    gateway, options => options.SetRequestHeader("Authorization", "Bearer " + Gateways.SourceToken)));
-                // The gateway has then added this connection, so that it is older than the next one.
-                await clients[i].RoundTripAsync();
+                using var refused = await RawWebSocket.ConnectAsync(gateway);
+                await refused.SendAsync(Encoding.ASCII.GetBytes(
+                    $"GET / HTTP/1.1\r\n{RawWebSocket.Upgrade}Authorization: Bearer {Gateways.SourceToken}\r\nHost: localhost\r\n\r\n"));
+                Assert.That(await refused.ReadToEndAsync(), Does.StartWith("HTTP/1.1 503 ").And.Contains(LimitMessages.ConnectionsOfSource(5)));
             }
 
-            await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 5, "a quarter of the connections remains");
-            await clients[10].RoundTripAsync();
-            await clients[^1].RoundTripAsync();
+            foreach (var client in clients) await client.RoundTripAsync();
+            Assert.That(gateway.WebSocketConnections[Closure.SourceLimit], Is.EqualTo(3));
+            Assert.That(gateway.WebSocketConnections.Open, Is.EqualTo(5));
+            clients[0].Dispose();
+            await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 4, "the closed connection has ended");
+            clients[0] = await ConnectSourceAsync(gateway);
         }
         finally
         {
             foreach (var client in clients) client.Dispose();
         }
+    }
+
+    [Test]
+    public async Task SyncConnection_OfASourceAboveItsMaximum_IsClosedAndTheOthersStayOpen()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { MaxConnections = 4, Tokens = Gateways.Tokens });
+        var clients = new List<RawRosbridgeClient>();
+        try
+        {
+            for (var i = 0; i < 5; i++) clients.Add(await ConnectSourceAsync(gateway));
+            using var sync = await RawSyncClient.ConnectAsync(gateway);
+            await sync.SendAsync(SyncToken.Write(Gateways.SourceToken));
+
+            await Soon.BecomesAsync(() => gateway.SyncConnections[Closure.SourceLimit] == 1, "the connection is closed");
+            foreach (var client in clients) await client.RoundTripAsync();
+        }
+        finally
+        {
+            foreach (var client in clients) client.Dispose();
+        }
+    }
+
+    static async Task<RawRosbridgeClient> ConnectSourceAsync(GatewayServer gateway)
+    {
+        var client = await RawRosbridgeClient.ConnectAsync(
+            gateway, options => options.SetRequestHeader("Authorization", "Bearer " + Gateways.SourceToken));
+        await client.RoundTripAsync();
+        return client;
     }
 
     [Test]

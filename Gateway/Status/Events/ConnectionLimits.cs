@@ -17,6 +17,7 @@ sealed class ConnectionLimits((string Name, ConnectionCounters Counters)[] serve
     readonly Lock _lock = new();
     // For each server, the number of refusals and the time at the last check that found the limit or a new refusal; null before.
     readonly (long Refused, long? At)[] _full = new (long, long?)[servers.Length], _noDescriptor = new (long, long?)[servers.Length];
+    readonly (long Refused, long? At)[] _ofSource = new (long, long?)[servers.Length];
 
     public IReadOnlyList<Condition> Read()
     {
@@ -31,6 +32,13 @@ sealed class ConnectionLimits((string Name, ConnectionCounters Counters)[] serve
             {
                 Headline = EventTexts.PortLimitReached(name),
                 Remedy = EventRemedies.Connections,
+            };
+        var refusedOfSources = counters[Closure.SourceLimit];
+        if (IsReached(ref _ofSource[server], refusedOfSources))
+            yield return new("connection", name, EventTexts.SourceLimitReached, EventTexts.RefusedOfSources(refusedOfSources), Level.Warning)
+            {
+                Headline = EventTexts.PortSourceLimitReached(name),
+                Remedy = EventRemedies.ConnectionsOfSource,
             };
         var refused = counters[Closure.DescriptorLimit];
         if (IsReached(ref _noDescriptor[server], refused))

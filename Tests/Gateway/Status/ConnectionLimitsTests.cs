@@ -33,6 +33,18 @@ public class ConnectionLimitsTests
     }
 
     [Test]
+    public void Read_ConnectionsOfASourceRefused_IsAConditionUntilFiveSecondsAfterTheLastOne()
+    {
+        var (time, counters) = (new SteppedTime(), new ConnectionCounters());
+        var limits = new ConnectionLimits([("websocket", counters)], 2, time);
+        counters.Count(Closure.SourceLimit);
+
+        Assert.That(limits.Read().Single().Text, Does.Contain(EventTexts.RefusedOfSources(1)));
+        time.Advance(TimeSpan.FromSeconds(6));
+        Assert.That(limits.Read(), Is.Empty);
+    }
+
+    [Test]
     public void Read_ConnectionsRefusedForDescriptors_IsAConditionUntilFiveSecondsAfterTheLastOne()
     {
         var (time, counters) = (new SteppedTime(), new ConnectionCounters());
