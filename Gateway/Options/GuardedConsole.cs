@@ -10,8 +10,6 @@ namespace Nowpose.Gateway.Options;
 /// </summary>
 public static class GuardedConsole
 {
-    const int StandardOutput = 1;
-
     /// <summary>The error number EPIPE.</summary>
     const int PipeError = 32;
 
@@ -29,8 +27,8 @@ public static class GuardedConsole
     static TextWriter Output()
     {
         if (OperatingSystem.IsWindows() || !Console.IsOutputRedirected) return Console.Out;
-        var stream = new FileStream(new SafeFileHandle(StandardOutput, ownsHandle: false), FileAccess.Write, bufferSize: 0);
-        return stream.CanSeek ? Console.Out : new StreamWriter(stream, Console.OutputEncoding) { AutoFlush = true };
+        using var file = new FileStream(new SafeFileHandle(PipeOutput.Descriptor, ownsHandle: false), FileAccess.Write, bufferSize: 0);
+        return file.CanSeek ? Console.Out : new StreamWriter(new PipeOutput(), Console.OutputEncoding) { AutoFlush = true };
     }
 
     // The console does not open a closed stream.

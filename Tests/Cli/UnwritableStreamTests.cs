@@ -1,3 +1,4 @@
+using System.Globalization;
 using Nowpose.Cli.Messages;
 using Nowpose.Headless.Tests.Gateway;
 using NUnit.Framework;
@@ -10,6 +11,12 @@ public class UnwritableStreamTests
 {
     // The second exchange is dropped, which the command reports on stderr.
     const string Log = "t1_ns,t2_ns,t3_ns,t4_ns\n0,500000,500000,1000000\n1000000000,1000500000,1000400000,1001000000\n";
+
+    const int LongLogRows = 4000;
+
+    // The result is longer than a pipe holds.
+    static string LongLog => "t1_ns,t2_ns,t3_ns,t4_ns\n" + string.Concat(Enumerable.Range(0, LongLogRows).Select(i =>
+        FormattableString.Invariant($"{i}000000000,{i}000500000,{i}000500000,{i}001000000\n")));
 
     const string Urdf = """
         <robot name="r"><link name="base"/><link name="a"/>
@@ -50,11 +57,24 @@ public class UnwritableStreamTests
     }
 
     [Test]
+    public async Task Sync_NonBlockingPipe_WaitsForItsReader()
+    {
+        using var log = new TemporaryFile(LongLog);
+        var cli = $"dotnet '{Path.Combine(AppContext.BaseDirectory, "Nowpose.Cli.dll")}'";
+        // The reader starts another program after the first byte, so that the pipe is full in the meantime.
+        using var program = PeerProcess.OfShell(
+            $"{{ python3 -c 'import os; os.set_blocking(1, False)'; {cli} sync '{log.Path}'; echo status $? >&2; }} "
+            + $"| {{ dd bs=1 count=1 2>/dev/null; {cli} --version >/dev/null; cat; }} | wc -l");
+
+        await program.EndsAsync();
+
+        Assert.That(program.Lines, Does.Contain("status 0").And.Contain((1 + LongLogRows).ToString(CultureInfo.InvariantCulture)), program.All);
+    }
+
+    [Test]
     public async Task Sync_ReaderOfThePipeHasEnded_EndsWithoutAMessage()
     {
-        var rows = Enumerable.Range(0, 4000).Select(i => FormattableString.Invariant($"{i}000000000,{i}000500000,{i}000500000,{i}001000000"));
-        using var log = new TemporaryFile("t1_ns,t2_ns,t3_ns,t4_ns\n" + string.Join('\n', rows) + "\n");
-        // The result is longer than a pipe holds.
+        using var log = new TemporaryFile(LongLog);
         using var program = PeerProcess.OfShell(
             $"{{ dotnet '{Path.Combine(AppContext.BaseDirectory, "Nowpose.Cli.dll")}' sync '{log.Path}'; echo status $? >&2; }} | head -n 1");
 
