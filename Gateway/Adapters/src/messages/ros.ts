@@ -22,8 +22,8 @@ export const rosMessages = {
     `ROS publishes the pose of the robot's base ${source} in ${parent}, but frames does not list it, so headsets draw the robot at the origin of the `
     + `cell; add { frame: ${root}, source: ${source} } to frames`,
   simulationTime: (topics: string[]) =>
-    `the messages on ${topics.join(', ')} have the time since the start of a simulation, but the clock of their stamps is in real time, so all `
-    + 'of them are refused: the rosapi of ROS 2 returns the system time even with use_sim_time; '
+    `messages on ${topics.join(', ')} have the time since the start of a simulation, but the clock of their stamps is in real time, so these `
+    + 'messages are refused: the rosapi of ROS 2 returns the system time even with use_sim_time; '
     + 'start the nodes that publish them with use_sim_time: false',
   /** @param sources Names of the frames in ROS. */
   noPose: (sources: string[], isRos1: boolean) => {

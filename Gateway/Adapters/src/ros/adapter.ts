@@ -124,7 +124,7 @@ export async function run(context: AdapterContext<RosSettings>): Promise<void> {
   }
 
   function passTransforms(message: Record<string, unknown>): void {
-    simulation.check(settings.tf, (message as { transforms?: { header?: unknown }[] } | null)?.transforms?.[0]?.header);
+    for (const header of frames.headersOf(message)) simulation.check(settings.tf, header);
     frames.pass(message);
   }
 

@@ -117,6 +117,18 @@ export class RosFrames {
     }
   }
 
+  /** Gets the headers of the configured frames in a message, valid or not. */
+  headersOf({ transforms }: Record<string, unknown>): unknown[] {
+    if (!Array.isArray(transforms)) return [];
+    return transforms
+      .filter((one: Record<string, unknown> | null) => this.#indexOf(bare(one?.child_frame_id)) >= 0)
+      .map((one: Record<string, unknown>) => one.header);
+  }
+
+  #indexOf(source: string): number {
+    return this.names.frames.findIndex(frame => frame.topic === null && frame.source === source);
+  }
+
   #found({ transforms }: Record<string, unknown>): { index: number; pose: Pose; stamp: Nanoseconds | null }[] {
     if (!Array.isArray(transforms)) {
       this.status.refuse('malformed', 'transforms', rosMessages.noTransforms, this.status.frames);
@@ -124,7 +136,7 @@ export class RosFrames {
     }
     return transforms.flatMap((one: Record<string, unknown> | null) => {
       const source = bare(one?.child_frame_id);
-      const index = this.names.frames.findIndex(frame => frame.topic === null && frame.source === source);
+      const index = this.#indexOf(source);
       if (index >= 0) return this.#read(index, one!);
       if (source !== '' && source !== this.names.world) this.#base.add(this.#linkOf(source), source, bare((one as RosTransform).header?.frame_id));
       return [];
