@@ -1,6 +1,12 @@
 /** Number of newest intervals from which the usual interval is estimated. */
 const INTERVALS = 16;
 
+/**
+ * Ratio of the requested rate to the usual rate above which the rate is too low. A controller sends the data of every n-th cycle. Above 2, because
+ * the intervals of exactly half the rate are rounded.
+ */
+const MIN_SLOWNESS = 2.1;
+
 /** Estimates the usual interval between packages, and the number of missing packages. */
 export class Pace {
   readonly #intervals: number[] = [];
@@ -10,6 +16,12 @@ export class Pace {
   get usual(): number | null {
     if (this.#intervals.length < INTERVALS) return null;
     return [...this.#intervals].sort((a, b) => a - b)[INTERVALS / 2];
+  }
+
+  /** Returns whether less than half of the requested packages arrive; null until enough have arrived. */
+  isBelowHalfOf(requestedHz: number): boolean | null {
+    const { usual } = this;
+    return usual === null ? null : requestedHz * usual > MIN_SLOWNESS;
   }
 
   /**

@@ -27,9 +27,6 @@ const ASK_MS = 50;
 /** Minimum backward step of the timestamp that indicates a controller restart. */
 const RESTART_S = 0.5;
 
-/** Ratio of the requested rate to the rate of the data above which it is reported. A controller sends the data of every n-th cycle. */
-const MIN_SLOWNESS = 2;
-
 /** First major version of e-Series controllers. A controller that does not return its version counts as e-Series. */
 const E_SERIES = 5;
 const E_SERIES_HZ = 500;
@@ -271,9 +268,8 @@ export class RtdeSession {
   }
 
   #reportRate(): void {
-    const { usual } = this.#pace;
-    if (usual === null) return;
-    const isSlow = this.#rateHz * usual > MIN_SLOWNESS;
+    const isSlow = this.#pace.isBelowHalfOf(this.#rateHz);
+    if (isSlow === null) return;
     this.context.status.notice(isSlow ? rtdeMessages.slow(this.#rateHz) : null, 'rate');
   }
 
