@@ -9,6 +9,11 @@ static class PairingServiceMessages
         "the pairing page is available only to operators, and on the gateway's machine at localhost; log in on the operations page with an "
         + "operator's token, or open the page on that machine at localhost";
 
+    /// <summary>For a gateway that listens on one address other than loopback.</summary>
+    public const string OperatorsOnly =
+        "the pairing page is available only to operators, because the gateway does not listen at localhost; log in on the operations page with an "
+        + "operator's token (--tokens FILE), or start the gateway with --bind any and open the page on that machine at localhost";
+
     public const string Fields = "the fields token and name are needed";
 
     public static string TooManyWrong(int max) => $"more than {max} wrong codes in a minute; wait a minute";

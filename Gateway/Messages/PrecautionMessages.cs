@@ -12,9 +12,10 @@ static class PrecautionMessages
         $"certificate: it does not contain {name} of --host-names, so clients that connect to {name} without a pin refuse it; renew it with this "
         + "name and the same key";
 
-    public const string NoOperator =
-        "pairing: clients need a token, but no token opens the operations page and the page /vlc; add --tokens FILE, a file with a line: "
-        + "operator TOKEN";
+    /// <param name="isLocalhostReachable">Whether a browser on this machine can open the pairing page at localhost without a token.</param>
+    public static string NoOperator(bool isLocalhostReachable) =>
+        $"pairing: clients need a token, but no token opens {(isLocalhostReachable ? "" : "the pairing page, ")}the operations page and the page "
+        + "/vlc; add --tokens FILE, a file with a line: operator TOKEN";
 
     public static string WeakToken(string where, double bits, double min) =>
         $"security: {where}: the token has a strength of {bits} bits and can be guessed; {min} bits or more are needed; replace it, for "

@@ -103,7 +103,7 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, AccessControl 
         if (accessControl.IsOperator(context)) return true;
         await AccessControl.AnswerAsync(
             context, StatusCodes.Status403Forbidden,
-            PairingServiceMessages.ThisMachineOnly);
+            OwnHosts.IsLocalhostReachable(options.Bind) ? PairingServiceMessages.ThisMachineOnly : PairingServiceMessages.OperatorsOnly);
         return false;
     }
 }

@@ -27,6 +27,10 @@ static class OwnHosts
     public static IEnumerable<string> Of(IPAddress local, IReadOnlyList<string> others) => NamesOf(local)
         .Concat(others.Select(other => IPAddress.TryParse(other, out var address) ? UrlTextOf(address) : other)).Prepend(UrlTextOf(local));
 
+    /// <summary>Whether a browser on this machine reaches a gateway at localhost that listens on an address.</summary>
+    public static bool IsLocalhostReachable(IPAddress bind) =>
+        bind.Equals(IPAddress.Any) || bind.Equals(IPAddress.IPv6Any) || IPAddress.IsLoopback(bind);
+
     /// <summary>Gets the hosts under which browsers can open the pages of a gateway that listens on an address.</summary>
     public static IEnumerable<string> Reachable(IPAddress bind)
     {

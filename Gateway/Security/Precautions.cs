@@ -20,7 +20,7 @@ static class Precautions
         foreach (var name in options.HostNames.Where(name => options.Certificate?.MatchesHostname(name) == false))
             yield return PrecautionMessages.NotInCertificate(name);
         if (options.Headsets != null && options.Tokens.IsEmpty)
-            yield return PrecautionMessages.NoOperator;
+            yield return PrecautionMessages.NoOperator(OwnHosts.IsLocalhostReachable(options.Bind));
         foreach (var warning in OfTokens(options.Tokens.Weak))
             yield return warning;
         if (OperatingSystem.IsWindows()) yield break;

@@ -62,7 +62,7 @@ public class CertificateFilesTests
         using var certificate = CertificateFiles.LoadOrGenerate(Path.Combine(_folder, "new.pem"), null, names);
 
         foreach (var name in names.Append("localhost")) Assert.That(certificate.MatchesHostname(name), name);
-        Assert.That(certificate.MatchesHostname("192.0.2.8"), Is.False);
+        Assert.That(certificate.MatchesHostname("203.0.113.8"), Is.False);
     }
 
     [Test]

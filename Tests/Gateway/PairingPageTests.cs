@@ -70,6 +70,20 @@ public sealed class PairingPageTests
         Assert.That(BodyOf(context).Contains("nowpose:token"), Is.EqualTo(expected == 200));
     }
 
+    [TestCase("0.0.0.0", PairingServiceMessages.ThisMachineOnly)]
+    [TestCase("10.0.0.7", PairingServiceMessages.OperatorsOnly)]
+    public async Task Refusal_OfTheGatewaysAddress_NamesLocalhostOnlyIfTheGatewayListensThere(string bind, string expected)
+    {
+        using var folder = new TemporaryFile("");
+        var options = Gateways.Options() with { Headsets = new HeadsetList(folder.Path), Bind = IPAddress.Parse(bind) };
+        var context = Request("/pair/code", null, "10.0.0.7:47011");
+        context.Connection.RemoteIpAddress = context.Connection.LocalIpAddress = IPAddress.Parse("10.0.0.7");
+
+        await Routes(options).ServeAsync(context, _ => throw new InvalidOperationException("handed on")).Bounded();
+
+        Assert.That(BodyOf(context), Does.StartWith(expected));
+    }
+
     static PairingRoutes Routes(GatewayOptions options)
     {
         var counters = new ConnectionCounters();

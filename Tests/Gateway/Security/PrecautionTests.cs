@@ -1,3 +1,4 @@
+using System.Net;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Pairing;
 using Nowpose.Gateway.Security;
@@ -54,7 +55,7 @@ public class PrecautionTests
     [TestCase("edge1.plant.example", 0)]
     [TestCase("192.0.2.7", 0)]
     [TestCase("edge2.plant.example", 1)]
-    [TestCase("192.0.2.8", 1)]
+    [TestCase("203.0.113.8", 1)]
     public void HostName_NotInTheCertificate_CausesAWarningWithTheRemedy(string name, int expected)
     {
         using var certificate = CertificateFiles.Generate(["edge1.plant.example", "192.0.2.7"]);
@@ -79,18 +80,22 @@ public class PrecautionTests
         Assert.That(gateway.Warnings.Contains(PrecautionMessages.Root), Is.EqualTo(Environment.IsPrivilegedProcess));
     }
 
-    [TestCase(true, false, true)]
-    [TestCase(true, true, false)]
-    [TestCase(false, false, false)]
-    public void Options_PairingWithoutTokens_WarnAboutTheMissingOperator(bool pairs, bool hasTokens, bool expected)
+    [TestCase(true, false, "127.0.0.1", true)]
+    [TestCase(true, false, "0.0.0.0", true)]
+    [TestCase(true, false, "203.0.113.8", true)]
+    [TestCase(true, true, "127.0.0.1", false)]
+    [TestCase(false, false, "127.0.0.1", false)]
+    public void Options_PairingWithoutTokens_WarnAboutTheMissingOperator(bool pairs, bool hasTokens, string bind, bool expected)
     {
         using var folder = new TemporaryFolder();
         var options = Gateways.Options() with
         {
+            Bind = IPAddress.Parse(bind),
             Headsets = pairs ? new HeadsetList(Path.Combine(folder.Path, "headsets.txt")) : null,
             Tokens = hasTokens ? Gateways.Tokens : TokenList.None,
         };
 
-        Assert.That(Precautions.Of(options, null).Contains(PrecautionMessages.NoOperator), Is.EqualTo(expected));
+        var text = PrecautionMessages.NoOperator(isLocalhostReachable: bind != "203.0.113.8");
+        Assert.That(Precautions.Of(options, null).Contains(text), Is.EqualTo(expected));
     }
 }
