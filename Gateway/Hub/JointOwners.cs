@@ -15,6 +15,9 @@ sealed class JointOwners
     /// <summary>Maximum number of names of one source on a topic, so that a source with many names leaves room for the others.</summary>
     internal const int MaxNamesOfSource = MaxNames / 2;
 
+    /// <summary>Maximum number of refused names of one message that are reported, so that a message with many of them does not delay the others.</summary>
+    internal const int MaxReported = 16;
+
     // The number of topics is bounded by the maximum number of robots.
     readonly Dictionary<string, OwnerMap<string>> _topics = [];
 
@@ -36,7 +39,7 @@ sealed class JointOwners
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>
     /// <param name="use">Records that the source publishes on the topic; returns a refusal if it cannot.</param>
     /// <param name="claimed">The names that the source owns now; empty if the whole message is refused.</param>
-    /// <param name="taken">The names that are not free.</param>
+    /// <param name="taken">The first names that are not free, at most <see cref="MaxReported"/>.</param>
     /// <returns>The first refusal of a name, or that of the whole message; null if there is none.</returns>
     public Refusal? Claim(
         HubSource source, string robot, string kind, string[] names, Func<Refusal?> use, out string[] claimed, out IReadOnlyList<Refusal> taken)
@@ -47,7 +50,7 @@ sealed class JointOwners
         var free = Array.FindAll(names, name =>
         {
             var reason = OfAnotherSource(source, topic, name) ?? (isStates ? OfAnotherRobot(robot, name) : null);
-            if (reason != null) refused.Add(reason.Value);
+            if (reason != null && refused.Count < MaxReported) refused.Add(reason.Value);
             return reason == null;
         });
         taken = refused;

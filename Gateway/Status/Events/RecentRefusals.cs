@@ -15,6 +15,9 @@ sealed class RecentRefusals(TimeProvider time)
     /// <summary>Minimum time for which a joint, frame or signal of a source counts as refused after its last refused message.</summary>
     static readonly TimeSpan Span = TimeSpan.FromSeconds(5);
 
+    /// <summary>Time for which a repeated refusal is ignored, because a source may repeat it with each message.</summary>
+    static readonly TimeSpan Repetition = TimeSpan.FromSeconds(1);
+
     readonly Lock _lock = new();
     readonly Dictionary<(HubSource Source, string Topic, string Name), (long At, HubSource Owner)> _refusals = [];
 
@@ -23,10 +26,11 @@ sealed class RecentRefusals(TimeProvider time)
     {
         lock (_lock)
         {
+            var key = (source, topic, name);
+            if (_refusals.TryGetValue(key, out var last) && last.Owner == owner && time.GetElapsedTime(last.At) < Repetition) return;
             // A client that reconnects is another source. Its earlier refusal is then not needed.
             foreach (var known in _refusals.Keys.Where(known => known.Source.IsEnded && known.Topic == topic && known.Name == name).ToList())
                 if (known.Source.Title == source.Title) _refusals.Remove(known);
-            var key = (source, topic, name);
             if (_refusals.ContainsKey(key) || (_refusals.Count < MaxRefusals && _refusals.Keys.Count(known => known.Source == source) < MaxOfSource))
                 _refusals[key] = (time.GetTimestamp(), owner);
         }
