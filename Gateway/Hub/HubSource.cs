@@ -47,10 +47,12 @@ public sealed class HubSource : IDisposable
     internal Refusal? Publish(JointStateMessage message, long? receivedAt = null, string robot = "")
     {
         Refusal? refusal = null;
+        var leftOut = 0;
         if (!_claimed.TryGetValue(robot, out var claimed) || !message.Names.AsSpan().SequenceEqual(claimed.Names))
         {
             refusal = _hub.Claim(this, robot, RosTopics.JointStates, message.Names, out var free);
             if (free.Length == 0) return refusal;
+            leftOut = message.Names.Length - free.Length;
             message = MessageParts.Part(message, free);
             claimed = (message.Names, InCell(robot, message.Names), AreLong(message.Names));
             // With a refused joint, the next message is claimed again, because the joint may then be free.
@@ -63,7 +65,7 @@ public sealed class HubSource : IDisposable
         if (claimed.AreLong && published.IsTooLong) return new Refusal(DropReason.TooLarge, DropMessages.AsWritten);
         _hub.Samples.Set(published);
         _hub.Publish(published);
-        return refusal == null ? null : refusal.Value with { IsPartial = true };
+        return refusal == null ? null : refusal.Value with { LeftOut = leftOut };
     }
 
     /// <summary>

@@ -12,6 +12,9 @@ namespace Nowpose.Gateway.Rosbridge;
 /// <param name="reply">Sends a message to the client.</param>
 sealed class StatusReplies(HubSource source, DropCounters drops, PublishRights rights, Action<string> reply)
 {
+    internal const string JointsLeftOut = "joints left out";
+    internal const string MessageDropped = "dropped";
+
     /// <summary>Level from which the client wants to receive status messages: warning, error or none; null for all.</summary>
     public string Level { get; set; }
 
@@ -24,11 +27,12 @@ sealed class StatusReplies(HubSource source, DropCounters drops, PublishRights r
         if (Level is not ("none" or "error")) reply(RosbridgeWriter.Status("warning", Subject(message) + text, Short(message.Id)));
     }
 
-    /// <summary>Reports a message that the hub refused.</summary>
+    /// <summary>Reports a message that the hub refused, or joints that it left out of a message.</summary>
     public void Drop(RosbridgeMessage message, Refusal refusal)
     {
         var owner = refusal.Owner == null ? "" : $", {Short(refusal.Owner.Title)}";
-        Drop(message, refusal.Reason, rule: $"{Short(refusal.What)} {refusal.Rule ?? DropMessages.Of(refusal.Reason)}{owner}");
+        var rule = $"{Short(refusal.What)} {refusal.Rule ?? DropMessages.Of(refusal.Reason)}{owner}{Others(refusal.LeftOut)}";
+        Drop(message, refusal.Reason, rule, refusal.IsPartial ? JointsLeftOut : MessageDropped);
     }
 
     /// <summary>Reports transforms or signals that were left out of a message, and clears the list. Each is counted; the client receives one status message per reason and owner.</summary>
@@ -40,8 +44,7 @@ sealed class StatusReplies(HubSource source, DropCounters drops, PublishRights r
             var count = same.Count();
             drops.Count(same.Key.Reason, count - 1);
             var owner = same.Key.Owner == null ? "" : $", {Short(same.Key.Owner.Title)}";
-            var others = count > 1 ? $" ({count - 1} more)" : "";
-            Drop(message, same.Key.Reason, rule: $"{same.First().Fault}{owner}{others}");
+            Drop(message, same.Key.Reason, rule: $"{same.First().Fault}{owner}{Others(count)}");
         }
 
         parts.Clear();
@@ -50,7 +53,8 @@ sealed class StatusReplies(HubSource source, DropCounters drops, PublishRights r
     /// <summary>Reports a dropped message.</summary>
     /// <param name="message">The readable part of the message; null if nothing can be read.</param>
     /// <param name="rule">The fault as one clause; null for the text of the reason.</param>
-    public void Drop(RosbridgeMessage message, DropReason reason, string rule = null)
+    /// <param name="effect">What was dropped.</param>
+    public void Drop(RosbridgeMessage message, DropReason reason, string rule = null, string effect = MessageDropped)
     {
         var topic = message is { Op: RosbridgeOp.Publish, RobotTopic: { IsValid: true } published } ? published : null;
         // The content is read before the role of the client is checked, but a correct message of this client would be refused too. A name without its slash
@@ -61,7 +65,7 @@ sealed class StatusReplies(HubSource source, DropCounters drops, PublishRights r
         rule ??= DropMessages.Of(reason);
         var text = reason == DropReason.UnknownOp
             ? RequestMessages.UnknownOperation(Short(message.OpName), KnownOperations)
-            : $"{Subject(message)}dropped: {rule} ({reason})";
+            : $"{Subject(message)}{effect}: {rule} ({reason})";
         if (reason == DropReason.TooManyMessages) source.ReportExceededRate(rule);
         // Excludes joints of other sources, which the hub reports itself.
         if (topic != null && reason != DropReason.JointTaken)
@@ -74,6 +78,8 @@ sealed class StatusReplies(HubSource source, DropCounters drops, PublishRights r
         if (Level != "none")
             reply(RosbridgeWriter.Status("error", text, Short(message?.Id)));
     }
+
+    static string Others(int count) => count > 1 ? $" ({count - 1} more)" : "";
 
     void ReportDropped(string robot, JointStateMessage valid, string rule, DropReason reason)
     {

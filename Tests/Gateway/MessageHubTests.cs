@@ -27,7 +27,7 @@ public class MessageHubTests
         first.Publish(Gateways.State(1, "a", "b"));
         var state = new JointStateMessage(Gateways.Start, ["c", "b", "d"], [2, 3, 4], [5, 6, 7], [8, 9, 10]);
 
-        Assert.That(second.Publish(state), Is.EqualTo(new Refusal(DropReason.JointTaken, "b", first, IsPartial: true)));
+        Assert.That(second.Publish(state), Is.EqualTo(new Refusal(DropReason.JointTaken, "b", first, LeftOut: 1)));
         var published = (JointStateMessage)_received[^1].Content;
         Assert.That(published.Names, Is.EqualTo(new[] { "c", "d" }));
         double[][] numbers = [published.Positions, published.Velocities, published.Accelerations];
@@ -36,6 +36,23 @@ public class MessageHubTests
         first.Dispose();
         Assert.That(second.Publish(state), Is.Null);
         Assert.That(((JointStateMessage)_received[^1].Content).Names, Is.EqualTo(state.Names));
+    }
+
+    [Test]
+    public void Publish_ManyJointsOfAnotherSource_ReportsAtMostTheMaximum()
+    {
+        using var first = _hub.OpenSource();
+        using var second = _hub.OpenSource();
+        var names = Enumerable.Range(0, ProtocolLimits.Joints - 1).Select(i => "j" + i).ToArray();
+        first.Publish(Gateways.State(1, names));
+        var reported = new List<string>();
+        _hub.Refused += (_, _, name, _) => reported.Add(name);
+
+        var refusal = second.Publish(Gateways.State(2, [.. names, "free"]));
+
+        Assert.That(refusal?.LeftOut, Is.EqualTo(names.Length));
+        Assert.That(reported, Is.EqualTo(names.Take(JointOwners.MaxReported)));
+        Assert.That(((JointStateMessage)_received[^1].Content).Names, Is.EqualTo(new[] { "free" }));
     }
 
     [Test]

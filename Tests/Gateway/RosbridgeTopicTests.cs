@@ -3,6 +3,7 @@ using System.Net.WebSockets;
 using NUnit.Framework;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Messages;
+using Nowpose.Gateway.Rosbridge;
 using Nowpose.Protocol;
 
 namespace Nowpose.Headless.Tests.Gateway;
@@ -219,6 +220,21 @@ public class RosbridgeTopicTests
         Assert.That((warning.Op, warning.Level), Is.EqualTo((RosbridgeOp.Status, "warning")));
         Assert.That(warning.Text, Does.StartWith($"subscribe {topic} {RequestMessages.NotPublished("")}").And.Contain(RosTopics.JointStates));
         await client.RoundTripAsync();
+    }
+
+    [Test]
+    public async Task SecondSource_ForSomeJoints_ReceivesThatTheseJointsAreLeftOut()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var first = await RawRosbridgeClient.ConnectAsync(gateway);
+        using var second = await RawRosbridgeClient.ConnectAsync(gateway);
+        await first.SendAsync(RosbridgeWriter.Publish(RosTopics.JointStates, Gateways.State(1, "a", "b")));
+        await first.RoundTripAsync();
+
+        await second.SendAsync(RosbridgeWriter.Publish(RosTopics.JointStates, Gateways.State(2, "a", "b", "c")));
+
+        await second.ExpectErrorAsync(
+            $"{StatusReplies.JointsLeftOut}: {CellMessageFaults.Of("a", DropReason.JointTaken)}, rosbridge 127.0.0.1 (1 more) ({DropReason.JointTaken})");
     }
 
     [Test]
