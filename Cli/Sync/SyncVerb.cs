@@ -51,8 +51,8 @@ static class SyncVerb
         Print(estimates.TakeWhile(_ => !cancel.IsCancellationRequested), instants?.Count ?? log.Count, at != null, json);
         if (lost > 0) Console.Error.WriteLine(ConsoleMessages.LostLines(file, lost));
         if (replay.Dropped.Values.Sum() == log.Count)
-            throw new InputException(ExchangeFileMessages.AllDropped(file, log.Count, [.. replay.Dropped.Keys]));
-        foreach (var (fault, count) in replay.Dropped)
+            Console.Error.WriteLine(ConsoleMessages.Line(ExchangeFileMessages.AllDropped(file, log.Count, [.. replay.Dropped.Keys])));
+        else foreach (var (fault, count) in replay.Dropped)
             Console.Error.WriteLine(ConsoleMessages.DroppedExchanges(file, count, log.Count, fault));
         if (replay.Steps > 0)
             Console.Error.WriteLine(ConsoleMessages.ClockSteps(file, replay.Steps));
