@@ -30,7 +30,7 @@ static class OutputFile
     {
         var target = TargetOf(path);
         // Opens an existing file also to respect its write protection, which does not prevent a replacement.
-        using (var present = File.Exists(path) ? new FileStream(path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite | FileShare.Delete, 0) : null)
+        using (var present = Existing(path))
         {
             if (present != null && (!present.CanSeek || IsDevice(target)))
             {
@@ -40,6 +40,19 @@ static class OutputFile
         }
 
         WholeFile.Write(target, write, temporary => Open(temporary, FileMode.Create, target, mode));
+    }
+
+    // Opens the path instead of its target, because the target of /dev/stdout may be a pipe without a path.
+    static FileStream Existing(string path)
+    {
+        try
+        {
+            return new FileStream(path, FileMode.Open, FileAccess.Write, FileShare.ReadWrite | FileShare.Delete, 0);
+        }
+        catch (FileNotFoundException)
+        {
+            return null;
+        }
     }
 
     // Some devices, such as /dev/null, can seek. Below /dev/shm are ordinary files.

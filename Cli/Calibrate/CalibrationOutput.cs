@@ -39,7 +39,8 @@ sealed class CalibrationOutput
         var output = new CalibrationOutput(full);
         // Opens the files of an earlier calibration without changing them.
         string[] written = [output.ProfilePath, output.UnlimitedProfilePath, output.InterruptedProfilePath, output.PagePath];
-        foreach (var path in written.Concat(hasPairs ? [output.PairsPath, output.InterruptedPairsPath] : []).Where(Path.Exists))
+        if (hasPairs) written = [.. written, output.PairsPath, output.InterruptedPairsPath];
+        foreach (var path in written.Select(OutputFile.TargetOf).Where(Path.Exists))
             File.Open(path, FileMode.Open, FileAccess.Write).Dispose();
         return output;
     });

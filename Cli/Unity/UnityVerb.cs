@@ -38,17 +38,9 @@ static class UnityVerb
 
     static async Task<int> RunAsync(string path, PreparationSettings settings, bool isCheck, bool isJson, CancellationToken cancel)
     {
-        Preparation preparation;
-        string backup;
-        try
-        {
-            preparation = await Invocation.ReadAsync(() => Preparation.Plan(UnityProject.Open(path), settings), cancel);
-            backup = isCheck ? null : preparation.Apply();
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
-        {
-            throw new InputException(e.Message, e);
-        }
+        var preparation = await Invocation.ReadAsync(
+            () => FileFault.Report(() => Preparation.Plan(UnityProject.Open(path), settings), e => e.Message), cancel);
+        var backup = isCheck ? null : FileFault.Report(() => preparation.Apply(), e => e.Message);
         if (isCheck && preparation.Obstacle is { } obstacle) Console.Error.WriteLine(ConsoleMessages.WouldFail(obstacle));
         foreach (var note in preparation.Notes) Console.Error.WriteLine(ConsoleMessages.Line(note));
         Console.Out.Write(isJson ? PreparationOutput.Json(preparation, isCheck, backup) : PreparationOutput.Text(preparation, isCheck, backup));

@@ -9,6 +9,9 @@ public static class FileFault
     /// <summary>Error codes of Windows for a full disk, and for a failure of the device.</summary>
     static readonly int[] WindowsDiskErrors = [unchecked((int)0x80070070), unchecked((int)0x80070027), unchecked((int)0x8007045d)];
 
+    /// <summary>Error numbers of Linux and macOS, and error code of Windows, for a file that another process has opened.</summary>
+    static readonly int[] SharingErrors = [11, 35, unchecked((int)0x80070020)];
+
     /// <summary>Accesses a file or folder.</summary>
     /// <param name="message">Creates the message for a failure; one line with the path, the reason and the remedy.</param>
     /// <exception cref="InputException">The access failed.</exception>
@@ -18,6 +21,11 @@ public static class FileFault
         try
         {
             return access();
+        }
+        // The access itself has reported the failure, with the path.
+        catch (Exception e) when (e is IOException or InputException && IsOfDisk(e.InnerException))
+        {
+            throw new IOException(e.Message, e.InnerException);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
         {
@@ -35,6 +43,9 @@ public static class FileFault
         message);
 
     static bool IsOfDisk(Exception e) => e is IOException && (OperatingSystem.IsWindows() ? WindowsDiskErrors : DiskErrors).Contains(e.HResult);
+
+    /// <summary>Whether an access failed because another process has opened the file.</summary>
+    public static bool IsInUse(Exception e) => e is IOException && SharingErrors.Contains(e.HResult);
 
     /// <summary>Whether an access failed because the file or its folder does not exist.</summary>
     public static bool IsMissing(Exception e) => e is FileNotFoundException or DirectoryNotFoundException;

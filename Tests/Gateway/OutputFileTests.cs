@@ -66,6 +66,17 @@ public sealed class OutputFileTests
 
     [Test]
     [Platform(Exclude = "Win")]
+    public void Write_SymbolicLinkWithoutATarget_CreatesTheTarget()
+    {
+        File.CreateSymbolicLink(At("link"), "target");
+
+        OutputFile.Write(At("link"), "new");
+
+        Assert.That((new FileInfo(At("link")).LinkTarget, File.ReadAllText(At("target"))), Is.EqualTo(("target", "new")));
+    }
+
+    [Test]
+    [Platform(Exclude = "Win")]
     public void TargetOf_NameOfALinkInTheCurrentFolder_IsInTheCurrentFolder()
     {
         var link = Path.GetRandomFileName();

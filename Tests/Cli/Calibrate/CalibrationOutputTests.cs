@@ -69,6 +69,29 @@ public sealed class CalibrationOutputTests : CalibrationFolder
         Assert.That(LatencyProfileFile.Load(output.InterruptedProfilePath).Device, Is.EqualTo("HoloLens 2"));
     }
 
+    // The temporary file of the profile leads to a full disk. A failure of the disk is not invalid input.
+    [Test]
+    [Platform("Linux")]
+    public void Write_FullDisk_ThrowsAFailure()
+    {
+        var output = CalibrationOutput.At(Out);
+        File.CreateSymbolicLink(ProfilePath + ".new", "/dev/full");
+
+        Assert.That(() => output.Write(Profile, Page), Throws.TypeOf<IOException>().With.Message.Contains(ProfilePath));
+    }
+
+    [Test]
+    [Platform(Exclude = "Win")]
+    public void At_LinkWithoutATarget_WritesTheTarget()
+    {
+        CalibrationOutput.At(Out);
+        File.CreateSymbolicLink(Path.Combine(Out, "calibration.html"), "../page.html");
+
+        CalibrationOutput.At(Out).Write(Profile, Page);
+
+        Assert.That(File.ReadAllText(Path.Combine(Folder, "page.html")), Does.Contain("title"));
+    }
+
     [Test]
     public void WritePairs_Interrupted_WritesTheTableBesideTheExistingOne()
     {

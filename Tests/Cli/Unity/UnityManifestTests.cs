@@ -93,6 +93,19 @@ public class UnityManifestTests
     }
 
     [Test]
+    [Platform("Linux")]
+    public async Task Unity_FullDisk_IsAFailedRun()
+    {
+        using var project = new UnityProjectFolder(Empty);
+        File.CreateSymbolicLink(project.At("Packages/manifest.json.nowpose-new"), "/dev/full");
+
+        var run = await project.RunAsync();
+
+        Assert.That(run.ExitStatus, Is.EqualTo(1), run.Errors);
+        Assert.That(project.Manifest, Is.EqualTo(Empty));
+    }
+
+    [Test]
     public async Task Unity_TemporaryFileOfAnInterruptedRun_ReplacesIt()
     {
         using var project = new UnityProjectFolder(Empty);
