@@ -4,6 +4,8 @@ using Nowpose.Cli.Demo.Paper;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Messages;
 using Nowpose.Gateway;
+using Nowpose.Gateway.Messages;
+using Nowpose.Gateway.Options;
 using Nowpose.Web;
 
 namespace Nowpose.Cli.Demo;
@@ -75,18 +77,13 @@ sealed class DemoOutput : IDisposable
 
     public void Dispose() => _lock.Dispose();
 
-    // Two runs would mix their files. The folder is writable, so the file cannot be opened only if another run has it.
+    // Two runs would mix their files.
     static FileStream Lock(string folder)
     {
-        try
-        {
-            return new FileStream(
-                Path.Combine(folder, ".nowpose.lock"), FileMode.OpenOrCreate, FileAccess.Write, FileShare.None, 1, FileOptions.DeleteOnClose);
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
-        {
-            throw new InputException(DemoMessages.FolderInUse(folder), e);
-        }
+        var path = Path.Combine(folder, ".nowpose.lock");
+        return FileFault.Report(
+            () => new FileStream(path, FileMode.OpenOrCreate, FileAccess.Write, FileShare.None, 1, FileOptions.DeleteOnClose),
+            e => FileFault.IsInUse(e) ? DemoMessages.FolderInUse(folder) : PathMessages.NotWritten($"--out: {path}", e));
     }
 
     // A result or a report can be computed again, but a recording of another program cannot.

@@ -108,6 +108,18 @@ public sealed class DemoOutputTests
     }
 
     [Test]
+    public void At_LockCannotBeWritten_NamesItsPath()
+    {
+        using var folder = new TemporaryFolder();
+        var path = Path.Combine(folder.Path, ".nowpose.lock");
+        Directory.CreateDirectory(path);
+
+        Assert.That(
+            () => DemoOutput.At(folder.Path, isPaper: false),
+            Throws.TypeOf<InputException>().With.Message.StartsWith($"--out: {path}: cannot be written"));
+    }
+
+    [Test]
     public void Written_RunWithoutASession_ListsTheOtherFiles()
     {
         using var folder = new TemporaryFolder();
