@@ -10,17 +10,18 @@ public sealed class CsvRows : IDisposable
     readonly CsvParser _csv;
 
     /// <param name="onBadQuote">
-    /// Called with the line of a row in which a quotation mark is misplaced or not closed; null to read the rest of such a row as text.
+    /// Called with the line and the field in which a quotation mark is misplaced or not closed; null to read the rest of such a row as text.
     /// </param>
-    public CsvRows(TextReader text, Action<int> onBadQuote = null) => _csv = new CsvParser(text, new CsvConfiguration(CultureInfo.InvariantCulture)
-    {
-        TrimOptions = TrimOptions.Trim,
-        // The parser would count the blank lines before a row as a part of it.
-        IgnoreBlankLines = false,
-        // A quoted field may extend over many lines.
-        MaxFieldSize = RecordingText.MaxLineMebibytes << 20,
-        BadDataFound = onBadQuote == null ? null : _ => onBadQuote(Line),
-    });
+    public CsvRows(TextReader text, Action<int, string> onBadQuote = null) =>
+        _csv = new CsvParser(text, new CsvConfiguration(CultureInfo.InvariantCulture)
+        {
+            TrimOptions = TrimOptions.Trim,
+            // The parser would count the blank lines before a row as a part of it.
+            IgnoreBlankLines = false,
+            // A quoted field may extend over many lines.
+            MaxFieldSize = RecordingText.MaxLineMebibytes << 20,
+            BadDataFound = onBadQuote == null ? null : bad => onBadQuote(Line, bad.Field),
+        });
 
     /// <summary>Line in which the current row starts. With a quotation mark that is not closed, the row extends to the end of the text.</summary>
     public int Line { get; private set; }

@@ -24,7 +24,11 @@ sealed class MotionRecordingReader : IDisposable
     public MotionRecordingReader(string path, TextReader text)
     {
         _path = path;
-        _csv = new CsvRows(text, line => throw new InputException(MotionFileMessages.Quotation(path, line)));
+        _csv = new CsvRows(text, (line, field) =>
+        {
+            if (_header == null) RequireCommas(field);
+            throw new InputException(MotionFileMessages.Quotation(path, line));
+        });
     }
 
     public MotionRecording Read()
@@ -44,12 +48,17 @@ sealed class MotionRecordingReader : IDisposable
         _isBody = BodyColumns.Are(_header);
         if (!_isBody && BodyColumns.Resemble(_header))
             throw Wrong(MotionFileMessages.BodyHeader(Shown(string.Join(',', _header)), BodyColumns.Header));
-        if (_header[0].Contains(';')) throw Wrong(MotionFileMessages.OtherSeparator("semicolons"));
-        if (_header[0].Contains('\t')) throw Wrong(MotionFileMessages.OtherSeparator("tabs"));
+        RequireCommas(_header[0]);
         if (_header[0] is not ("t" or "t_s"))
             throw Wrong(MotionFileMessages.FirstColumn(Shown(_header[0])));
         if (_header.Length < 2) throw Wrong(MotionFileMessages.NoJoint(_header[0]));
         for (var i = 1; i < _header.Length; i++) CheckName(i);
+    }
+
+    void RequireCommas(string firstField)
+    {
+        if (firstField.Contains(';')) throw Wrong(MotionFileMessages.OtherSeparator("semicolons"));
+        if (firstField.Contains('\t')) throw Wrong(MotionFileMessages.OtherSeparator("tabs"));
     }
 
     void CheckName(int column)

@@ -32,8 +32,9 @@ public static class RecordingText
         var text = path.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? new GZipStream(bytes, CompressionMode.Decompress) : bytes;
         var lines = new LineLimitStream(
             text, line => throw new InputException(MotionFileMessages.LineTooLong(path, line, MaxLineMebibytes)), MaxLineMebibytes << 20);
-        // Without an exception, the names of joints would contain other characters than those of the file.
-        return new StreamReader(lines, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false, throwOnInvalidBytes: true));
+        // Without an exception, the names of joints would contain other characters than those of the file. The identifier is the byte order mark: the
+        // reader replaces an encoding without it after such a mark.
+        return new StreamReader(lines, new UTF8Encoding(encoderShouldEmitUTF8Identifier: true, throwOnInvalidBytes: true));
     }
 
     /// <summary>Opens a text file as <see cref="Open"/> does, and reads it with a function.</summary>

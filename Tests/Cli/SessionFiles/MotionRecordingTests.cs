@@ -129,21 +129,27 @@ public class MotionRecordingTests
     }
 
     // As Excel saves "CSV (Comma delimited)" on Windows.
-    [TestCase("motion.csv")]
-    [TestCase("session.jsonl")]
-    public void Read_TextInLatin1_NamesTheEncoding(string name)
+    [TestCase("motion.csv", "")]
+    [TestCase("motion.csv", "\u00ef\u00bb\u00bf")]
+    [TestCase("session.jsonl", "")]
+    public void Read_TextInLatin1_NamesTheEncoding(string name, string mark)
     {
-        var path = Write(Encoding.Latin1.GetBytes("t,Gr\u00f6\u00dfe\n0,1\n1,2\n"), name);
+        var path = Write(Encoding.Latin1.GetBytes(mark + "t,Gr\u00f6\u00dfe\n0,1\n1,2\n"), name);
 
         Assert.That(
             () => name == "motion.csv" ? (object)MotionRecording.Read(path) : new SessionFileReader(path),
             Throws.TypeOf<InputException>().With.Message.EqualTo(MotionFileMessages.NotUtf8(path, 0xf6)));
     }
 
-    [Test]
-    public void Read_Utf16WithAByteOrderMark_IsRead() =>
-        Assert.That(MotionRecording.Read(Write([.. Encoding.Unicode.Preamble, .. Encoding.Unicode.GetBytes("t,\u00f6\n0,1\n1,2\n")], "m.csv")).Names,
-            Is.EqualTo(new[] { "\u00f6" }));
+    [TestCase("utf-8")]
+    [TestCase("utf-16")]
+    public void Read_TextWithAByteOrderMark_IsRead(string encoding)
+    {
+        var chosen = Encoding.GetEncoding(encoding);
+        var path = Write([.. chosen.Preamble, .. chosen.GetBytes("t,\u00f6\n0,1\n1,2\n")], "motion.csv");
+
+        Assert.That(MotionRecording.Read(path).Names, Is.EqualTo(new[] { "\u00f6" }));
+    }
 
     [Test]
     public void NotANumber_TextWithAComma_NamesTheDecimalSeparator()
@@ -159,6 +165,7 @@ public class MotionRecordingTests
         ["0,1\n1,2\n", ":1: " + MotionFileMessages.FirstColumn("'0'")],
         ["time,a\n0,1\n1,2\n", ":1: " + MotionFileMessages.FirstColumn("'time'")],
         ["t;a\n0,0;1,5\n0,1;2,5\n", ":1: " + MotionFileMessages.OtherSeparator("semicolons")],
+        ["\"t_s\";\"a\"\n0,0;1,5\n0,1;2,5\n", ":1: " + MotionFileMessages.OtherSeparator("semicolons")],
         ["t\ta\n0\t1\n1\t2\n", ":1: " + MotionFileMessages.OtherSeparator("tabs")],
         ["t,a\n0,\"1,5\"\n1,2\n", ":2: " + MotionFileMessages.NotANumber("'a'", "'1,5'")],
         ["t\n0\n1\n", ":1: " + MotionFileMessages.NoJoint("t")],
