@@ -21,15 +21,12 @@ static partial class JsonText
 
     static readonly JsonSerializerOptions IndentedAndRounded = new(Indented) { Converters = { new RoundedNumber() } };
 
+    static readonly JsonSerializerOptions OneLineAndRounded = new(IndentedAndRounded) { WriteIndented = false };
+
+    /// <param name="isRounded">Whether numbers have ten digits, because the last digits of sine and cosine differ between machines.</param>
     /// <exception cref="ArgumentException">A number is not finite. JSON has no NaN, and valid results have only finite numbers.</exception>
-    public static string Of(object value, bool isIndented = true) => Of(value, isIndented ? Indented : OneLine);
-
-    /// <summary>Creates the text with numbers of ten digits, because the last digits of sine and cosine differ between machines.</summary>
-    /// <inheritdoc cref="Of(object, bool)"/>
-    public static string Rounded(object value) => Of(value, IndentedAndRounded);
-
-    static string Of(object value, JsonSerializerOptions options) => BeyondAscii().Replace(
-        JsonSerializer.Serialize(value, options),
+    public static string Of(object value, bool isIndented = true, bool isRounded = false) => BeyondAscii().Replace(
+        JsonSerializer.Serialize(value, isIndented ? isRounded ? IndentedAndRounded : Indented : isRounded ? OneLineAndRounded : OneLine),
         character => string.Create(CultureInfo.InvariantCulture, $@"\u{(int)character.Value[0]:x4}"));
 
     [GeneratedRegex(@"[^\x00-\x7f]")]

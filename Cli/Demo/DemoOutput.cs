@@ -111,7 +111,7 @@ sealed class DemoOutput : IDisposable
     /// <param name="figures">The paper's figures from this run; null without <c>--paper</c>.</param>
     public void Write(DemoScore score, DemoRun run, DemoResult result, IReadOnlyList<Figure> figures = null)
     {
-        OutputFile.Write(ResultPath, run.Settings.IsVirtual ? JsonText.Rounded(result) : JsonText.Of(result));
+        OutputFile.Write(ResultPath, JsonText.Of(result, isRounded: run.Settings.IsVirtual));
         OutputFile.Write(ReportPath, Pages.Report.Render(DemoReport.Of(score, run, result, figures)));
     }
 }

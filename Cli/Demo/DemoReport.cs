@@ -36,7 +36,7 @@ static class DemoReport
             }),
             Figures = figures?.Select(FiguresJson.Of),
             Playback = new DemoPlayback(score, run, start).Instants(),
-        }, isIndented: false);
+        }, isIndented: false, isRounded: run.Settings.IsVirtual);
     }
 
     static string[] TimeNote(DemoSettings settings) => settings.IsVirtual ? [DemoTexts.VirtualSubtitle] : [];

@@ -42,13 +42,14 @@ public sealed class VirtualDemoTests
     }
 
     [Test]
-    public async Task Run_Result_HasNumbersOfTenDigits()
+    public async Task Run_ResultAndReport_HaveNumbersOfTenDigits()
     {
         var (_, result) = await ResultOf();
 
         var digits = result.GetProperty("tool_error_mm").EnumerateObject().Where(number => number.Value.ValueKind == JsonValueKind.Number)
             .Select(number => number.Value.GetRawText().Replace(".", "").TrimStart('0').Length);
         Assert.That(digits, Is.All.LessThanOrEqualTo(10), "the other digits differ between machines");
+        Assert.That(Text("report.html"), Does.Match("\"compensated\":[0-9]").And.Not.Match("\"(un)?compensated\":[0-9]*\\.?[0-9]{11}"));
     }
 
     [Test]
@@ -136,7 +137,8 @@ public sealed class VirtualDemoTests
     public async Task Finish_RepeatsInterrupted_NotesItAndReturns130()
     {
         var run = await DemoStage.PlayAsync(Settings with { Seconds = 5, Predictor = "quadratic" }, recordingPath: null, CancellationToken.None);
-        var (missing, output) = (DemoMessages.FiguresInterrupted(1, 3), DemoOutput.At(_folder.Path, isPaper: false));
+        var missing = DemoMessages.FiguresInterrupted(1, 3);
+        using var output = DemoOutput.At(_folder.Path, isPaper: false);
 
         var (status, _, _) = await CapturedConsole.OfAsync(() => Task.FromResult(
             DemoVerb.Finish(run, output, isInterrupted: false, DemoRepeats.Of([new DemoScore(run).Result()]), missing)));
