@@ -46,13 +46,19 @@ sealed record DemoRun(
         };
     }
 
+    /// <summary>Message that many frames began late; null if they did not.</summary>
+    public string LateNote => Frames.Late() is { AreMany: true } many ? DemoMessages.LateFrames(many) : null;
+
     /// <summary>Gets the reasons why the results or the recording can mislead a reader, in one line each; null if there are none.</summary>
     /// <param name="interruption">Message that the run is incomplete; null if it is complete.</param>
-    public IReadOnlyList<string> Notes(string interruption)
+    /// <param name="ofOthers">Notes about further repeats; null for one run.</param>
+    public IReadOnlyList<string> Notes(string interruption, IEnumerable<string> ofOthers = null)
     {
         var lost = LostLines > 0 ? DemoMessages.LinesLost(LostLines) : null;
-        var late = Frames.Late() is { AreMany: true } many ? DemoMessages.LateFrames(many) : null;
-        string[] notes = [interruption, late, .. Settings.MotionWarnings, .. BeyondLimits.Select(joint => joint.Words), RecordingProblem, lost];
+        string[] notes =
+        [
+            interruption, LateNote, .. ofOthers ?? [], .. Settings.MotionWarnings, .. BeyondLimits.Select(joint => joint.Words), RecordingProblem, lost,
+        ];
         return notes.All(note => note == null) ? null : [.. notes.Where(note => note != null)];
     }
 

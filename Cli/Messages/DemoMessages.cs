@@ -46,6 +46,8 @@ static class DemoMessages
     public static string FiguresInterrupted(int complete, int repeats) =>
         $"the run was interrupted, so the figures are those of {complete} of {repeats} repeats; run it again";
 
+    public static string OfRepeat(int repeat, string note) => FormattableString.Invariant($"repeat {repeat}: {note}");
+
     public static string LinesLost(long lines) =>
         FormattableString.Invariant($"session.jsonl: {lines} lines are missing, because the disk was too slow; set --out to a faster disk");
 

@@ -65,7 +65,9 @@ static class PaperSession
         var result = score.Result() with
         {
             Claims = claims,
-            Notes = runs[0].Run.Notes(complete == repeats ? null : DemoMessages.RepeatsInterrupted(complete, repeats)),
+            Notes = runs[0].Run.Notes(
+                complete == repeats ? null : DemoMessages.RepeatsInterrupted(complete, repeats),
+                runs.Skip(1).Where(each => each.Run.LateNote != null).Select(each => DemoMessages.OfRepeat(each.Repeat, each.Run.LateNote))),
         };
         // The result and the report are written first, because they exist even if another file cannot be written.
         output.Write(score, runs[0].Run, result, figures);

@@ -4,6 +4,7 @@ using Nowpose.Cli.Demo;
 using Nowpose.Cli.Demo.Paper;
 using Nowpose.Cli.Figures.Clocks;
 using Nowpose.Cli.Figures.Model;
+using Nowpose.Cli.Figures.Swing;
 using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Simulation;
@@ -200,6 +201,27 @@ public class PaperRunTests
         Assert.That(measured.Contains(JsonValueKind.Number), Is.EqualTo(complete > 0));
         Assert.That(result.TryGetProperty("notes", out var notes), Is.EqualTo(isInterrupted));
         if (isInterrupted) Assert.That(notes[0].GetString(), Is.EqualTo(DemoMessages.RepeatsInterrupted(complete, repeats)));
+    }
+
+    [Test]
+    public async Task Finish_LateFramesInTheSecondRepeat_NotesTheRepeat()
+    {
+        using var folder = new TemporaryFolder();
+        var calibration = new PaperCalibration(PaperScene.ProfileOf(PaperScene.VisuMs), new CalibrationPageData("Visible light", "", []));
+        var second = new PaperRun(2, PaperScene.Play(2, seconds: 12).Run, new YoubotSwing(isCold: true));
+        var rows = second.Run.Frames.Rows;
+        for (var i = 0; i < rows.Count; i++) rows[i] = rows[i] with { Delay = TimeSpan.FromMilliseconds(30) };
+
+        await CapturedConsole.OfAsync(() =>
+        {
+            using var output = DemoOutput.At(folder.Path, isPaper: true);
+            PaperSession.Finish([PaperScene.Play(1, seconds: 12), second], 2, 2, calibration, output);
+            return Task.FromResult(0);
+        });
+
+        var result = JsonDocument.Parse(await File.ReadAllTextAsync(Path.Combine(folder.Path, "result.json"))).RootElement;
+        var note = DemoMessages.OfRepeat(2, DemoMessages.LateFrames(second.Run.Frames.Late()));
+        Assert.That(result.GetProperty("notes").Deserialize<string[]>(), Is.EqualTo(new[] { note }));
     }
 
     [Test]
