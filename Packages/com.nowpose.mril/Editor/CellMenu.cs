@@ -39,7 +39,7 @@ namespace Nowpose.Editor
         static void RobotCellAny(MenuCommand command) => PlaceCell(PackageAsset.RobotCellAny, command);
 
         [MenuItem(Folder + "Virtual Gripper", false, Priority)]
-        static void VirtualGripper(MenuCommand command) => PlacePart(PackageAsset.VirtualGripper, command);
+        static void VirtualGripper(MenuCommand command) => PlacePart(PackageAsset.VirtualGripper, command, RigFor);
 
         // Below the Base Anchor of a cell, the robot is in the session of this cell.
         [MenuItem(Folder + "Another youBot", false, Priority)]
@@ -83,9 +83,10 @@ namespace Nowpose.Editor
             if (IsOnce(command)) Place(prefab, null);
         }
 
-        static void PlacePart(PackageAsset prefab, MenuCommand command)
+        /// <param name="parentFor">Returns the parent of the new object for the selected object; null to use the selected object.</param>
+        static void PlacePart(PackageAsset prefab, MenuCommand command, Func<GameObject, GameObject> parentFor = null)
         {
-            if (IsOnce(command)) Place(prefab, SelectedInScene());
+            if (IsOnce(command)) Place(prefab, ParentOf(parentFor));
         }
 
         /// <param name="setUp">Completes the new component; null if its default values are complete.</param>
@@ -94,9 +95,9 @@ namespace Nowpose.Editor
             where T : MonoBehaviour
         {
             if (!IsOnce(command)) return;
-            var selected = SelectedInScene();
+            var parent = ParentOf(parentFor);
             var made = new GameObject(name).AddComponent<T>();
-            Put(made.gameObject, parentFor == null ? selected : parentFor(selected), () =>
+            Put(made.gameObject, parent, () =>
             {
                 // The name of an object is also that of its frame or signal, if none is entered.
                 GameObjectUtility.EnsureUniqueNameForSibling(made.gameObject);
@@ -125,6 +126,12 @@ namespace Nowpose.Editor
             var serialized = new SerializedObject(appearance);
             serialized.FindProperty("_words").objectReferenceValue = label.GetComponent<TextMesh>();
             serialized.ApplyModifiedProperties();
+        }
+
+        static GameObject ParentOf(Func<GameObject, GameObject> parentFor)
+        {
+            var selected = SelectedInScene();
+            return parentFor == null ? selected : parentFor(selected);
         }
 
         // A component that needs a rig searches for it on its parents, so its object must not be beside the robot.

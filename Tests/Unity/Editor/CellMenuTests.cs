@@ -96,8 +96,11 @@ public sealed class CellMenuTests : EditorFixture
     [TestCase("Grip by Reach", 1)]
     [TestCase("Grip by Reach", 2)]
     [TestCase("Planned Path", 1)]
+    [TestCase("Virtual Gripper", 1)]
+    [TestCase("Virtual Gripper", 2)]
     public void MenuItem_ForAPartOfARobot_IsBelowTheOnlyDisplayedRig(string item, int displayed)
     {
+        Put(PackageAsset.VirtualGripper);
         var anchor = Keep(new GameObject("Base Anchor"));
         var robots = Enumerable.Range(0, displayed).Select(_ => Below<RobotRig>(anchor)).ToArray();
         Below<RobotRig>(anchor).With("_shows", RigPose.Held);
