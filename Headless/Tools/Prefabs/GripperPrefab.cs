@@ -37,7 +37,8 @@ static class GripperPrefab
     /// <summary>Adds the appearance to the gripper itself. A gripper without a rig therefore also shows that its pose is outdated.</summary>
     static void AddAppearance(PackageAssets assets, GameObject gripper, Material substitute)
     {
-        var words = Texts.Add(assets, Words, gripper.transform, TextAnchor.MiddleCenter, TextAlignment.Center);
+        // Above its position, because the label of the ghost is below.
+        var words = Texts.Add(assets, Words, gripper.transform, TextAnchor.LowerCenter, TextAlignment.Center);
         // Places the text next to the palm, where it hides neither the fingers nor a grasped object.
         words.transform.localPosition = new Vector3(0.12f, 0.02f, 0);
         var appearance = gripper.AddComponent<PoseAppearance>();

@@ -46,7 +46,7 @@ sealed class RobotObjects
         return rig;
     }
 
-    /// <summary>Adds the ghost, which is hidden until the user enables it. The texts of ghost and robot are on different sides of the gripper.</summary>
+    /// <summary>Adds the ghost, which is hidden until the user enables it. The labels of ghost and robot are on different sides of the gripper.</summary>
     void AddGhost(Transform parent, RobotRig displayed)
     {
         var look = _assets.Load<Material>(PackagePaths.Ghost);
@@ -57,6 +57,7 @@ sealed class RobotObjects
         foreach (var part in gripper.GetComponentsInChildren<MeshFilter>(includeInactive: true))
             part.GetComponent<MeshRenderer>().sharedMaterial = look;
         var words = GripperPrefab.WordsOf(gripper);
+        words.anchor = TextAnchor.UpperCenter;
         words.transform.localPosition = Vector3.Scale(words.transform.localPosition, new Vector3(-1, 1, 1));
         Fields.Set(rig.GetComponent<PoseAppearance>(), "_words", words);
         rig.gameObject.SetActive(false);
