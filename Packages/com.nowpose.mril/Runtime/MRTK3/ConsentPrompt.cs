@@ -12,7 +12,8 @@ namespace Nowpose.Mrtk3
     /// </summary>
     /// <remarks>
     /// Speech recognition makes mistakes, and the microphone also picks up other people. The wearer therefore accepts a gateway by hand or by
-    /// gaze and pinch. Declining by voice is possible: it changes nothing, and the question can be asked again.
+    /// gaze and pinch. Declining by voice is possible, because it connects the headset to nothing new. <see cref="CellPairing.Refuse"/>
+    /// states when the pairing asks about a declined gateway again.
     /// </remarks>
     [AddComponentMenu("Nowpose/Consent Prompt")]
     [DisallowMultipleComponent]
