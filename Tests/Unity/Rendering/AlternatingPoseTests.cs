@@ -1,6 +1,7 @@
 using Nowpose.Session;
 using Nowpose.Unity.Cell;
 using Nowpose.Unity.Messages;
+using Nowpose.Unity.Status;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -78,7 +79,7 @@ public sealed class AlternatingPoseTests : PlayedParts
         var texts = panel.AddComponent<StatusPanel>().With("_cell", text).With("_refreshSeconds", 0.1f).Texts;
         var box = Below<TrackedObject>("box", _session.transform);
         Run(5, t => SendPose("world", "box", t, Along(0.1 * t)));
-        string Shown() => texts.ValueOf(Unity.Status.StatusRow.Pose) + " | " + texts.ValueOf(Unity.Status.StatusRow.Objects);
+        string Shown() => texts.ValueOf(StatusRow.Pose) + " | " + texts.ValueOf(StatusRow.Objects);
         Assert.That(Shown(), Is.EqualTo(PoseMessages.Of(PoseState.Current) + " | 1 current"));
 
         _cell.SampleSeconds = 0.25;
@@ -99,6 +100,39 @@ public sealed class AlternatingPoseTests : PlayedParts
 
         Assert.That(Changes(_states), Is.GreaterThan(20), "the measured state alternates");
         Assert.That(shown, Is.All.EqualTo("! " + PoseMessages.Of(PoseState.Held) + " | " + StatusMessages.NotCurrent(1)));
+    }
+
+    [Test]
+    public void StatusTexts_SamplesComeNearTheHorizonCap_KeepReasonAndTime()
+    {
+        var noon = new DateTime(2026, 11, 20, 12, 0, 0);
+        var texts = new StatusTexts(() => noon + TimeSpan.FromSeconds(_cell.Now));
+        var box = Below<TrackedObject>("box", _session.transform);
+        Run(5, t => SendPose("world", "box", t, Along(0.1 * t)));
+
+        _cell.SampleSeconds = 0.25;
+        var next = _cell.Now;
+        var shown = new List<string>();
+        void Send(double t)
+        {
+            if (_cell.Now < next) return;
+            next = _cell.Now + 0.25;
+            SendPose("world", "box", t, Along(0.1 * t));
+        }
+        void Read()
+        {
+            texts.Update(_session.Statistics, null, null, null, parts: _session.Parts);
+            var rows = Enum.GetValues<StatusRow>().Where(row => row is StatusRow.Pose or >= StatusRow.Objects);
+            shown.Add(string.Join(" | ", rows.Select(row => $"{texts.LabelOf(row)} {texts.ValueOf(row)} {texts.NoteOf(row)}")));
+            _states.Add(box.State);
+        }
+        Run(1, Send, Read);
+        shown.Clear();
+        Run(5, Send, Read);
+
+        Assert.That(Changes(_states), Is.GreaterThan(20), "the measured state alternates");
+        Assert.That(shown.Distinct(), Has.Exactly(1).Items);
+        Assert.That(shown[0], Does.Contain("since ").And.Contain("! object box").And.Contain("! joints "));
     }
 
     List<string> LabelsIn(double seconds, PoseAppearance look, Action<double> send, Func<PoseState> state)

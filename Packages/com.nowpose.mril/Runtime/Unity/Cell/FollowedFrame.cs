@@ -23,6 +23,8 @@ namespace Nowpose.Unity.Cell
         readonly bool _canWaitForClock;
         readonly FrameFault _fault = new FrameFault();
         SettledPose _settled = new SettledPose();
+        // Reason and time of the last frame in which the pose was held; the settled state may still be held when the pose is current again.
+        (string Fault, ControlTime? Since) _held;
         DropReason _refused;
         CompensationSession _session;
         CellFrame _frame;
@@ -91,7 +93,11 @@ namespace Nowpose.Unity.Cell
         /// <summary>Reason why the pose is not current, in one line; null if it is current.</summary>
         public string Fault => FaultIn(State);
 
-        string IShownPart.Fault => FaultIn(SettledState);
+        string IShownPart.Fault => (IsHeldLooking ? _held.Fault : null) ?? FaultIn(SettledState);
+
+        ControlTime? IShownPart.FaultSince => (IsHeldLooking ? _held.Since : null) ?? FaultSince;
+
+        bool IsHeldLooking => SettledState == PoseState.Held;
 
         string FaultIn(PoseState state)
         {
@@ -166,8 +172,19 @@ namespace Nowpose.Unity.Cell
                 if (IsNameValid) _session.Frames.Need(Name);
             }
             _frame ??= _session.Frames.Find(Name);
-            _settled.Add(at, State);
+            var state = State;
+            _settled.Add(at, state);
+            KeepHeld(state);
             return isNew;
+        }
+
+        // The time is that of the first frame with this reason, so that it does not change with each pose that arrives.
+        void KeepHeld(PoseState state)
+        {
+            if (SettledState != PoseState.Held) _held = default;
+            if (state != PoseState.Held) return;
+            var fault = FaultIn(state);
+            if (fault != _held.Fault || !_held.Since.HasValue) _held = (fault, FaultSince);
         }
 
         static bool IsValid(string name) => name.Length > 0 && name.Length <= ProtocolLimits.NameLength && name != FrameParents.World;

@@ -22,6 +22,9 @@ namespace Nowpose.Unity.Cell
         CompensationSession _session;
         SessionRobot _robot;
         string _sameRobot;
+        // While the settled state is held, the joints may have data in some frames.
+        ControlTime? _heldSince;
+        bool _isHeldByBase;
 
         /// <param name="name">Namespace of the robot; empty for the session's own robot.</param>
         /// <param name="description">Description of a robot in a namespace; not used for the session's own robot.</param>
@@ -63,10 +66,12 @@ namespace Nowpose.Unity.Cell
             get
             {
                 if (_robot == null || HasEnded || _robot.Frame.SettledState == PoseState.Current) return null;
-                if (_robot.Frame.IsSettledLimitedByBase) return _session.Frames.HeldSince(_session.Frames.Find(_robot.Root));
-                return _session.Frames.MissingSince(_robot);
+                return _heldSince ?? SinceNow;
             }
         }
+
+        ControlTime? SinceNow => _robot.Frame.IsSettledLimitedByBase
+            ? _session.Frames.HeldSince(_session.Frames.Find(_robot.Root)) : _session.Frames.MissingSince(_robot);
 
         // The states in a session that has ended are those of its last frame.
         bool HasEnded => _source.Session != _session;
@@ -76,7 +81,7 @@ namespace Nowpose.Unity.Cell
             frame.IsSettledLimitedByBase || frame.SettledState == PoseState.Unsynchronised || frame.SettledState == PoseState.OutsideRange
                 ? StatusMessages.ReasonOf(frame.SettledState, frame.IsSettledLimitedByBase) : null;
 
-        string FaultOf(RobotStatistics robot) => robot.OtherNamespaces ?? _missingJoints.Of(robot.JointStatuses, robot.Samples)
+        string FaultOf(RobotStatistics robot) => robot.OtherNamespaces ?? _missingJoints.Of(robot)
             ?? ReasonOf(robot.SettledPose)
             ?? robot.BeyondLimits?.Words
             ?? (robot.DescriptionMatch == RobotDescriptionMatch.Different ? RobotMessages.DescriptionDiffers : null);
@@ -132,7 +137,17 @@ namespace Nowpose.Unity.Cell
                 CompareWithOthers();
             }
             SetShown(true);
+            KeepSince();
             return IsOwn ? frame : _robot?.Frame;
+        }
+
+        void KeepSince()
+        {
+            if (!IsListed || _robot == null) return;
+            var isHeld = _robot.Frame.SettledState == PoseState.Held;
+            if (!isHeld || _robot.Frame.IsSettledLimitedByBase != _isHeldByBase) _heldSince = null;
+            _isHeldByBase = _robot.Frame.IsSettledLimitedByBase;
+            if (isHeld) _heldSince ??= SinceNow;
         }
 
         /// <summary>Finds the frame <c>world</c>. Call it when the rig or one of its parents has got a new parent.</summary>

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using Nowpose.Protocol;
 using Nowpose.Session;
 
 namespace Nowpose.Unity.Status
@@ -32,17 +33,22 @@ namespace Nowpose.Unity.Status
 
         /// <summary>Returns the line; null if the list is empty.</summary>
         /// <param name="statistics">Statistics of the session; null if no session exists.</param>
-        public string Of(SessionStatistics statistics) => Of(statistics?.JointStatuses ?? Array.Empty<JointStatus>(), statistics?.Samples ?? 0);
+        public string Of(SessionStatistics statistics) => statistics == null ? Of(Array.Empty<JointStatus>(), 0, false)
+            : Of(statistics.JointStatuses, statistics.Samples, IsHeld(statistics.SettledPose, statistics.IsSettledLimitedByBase));
 
         /// <inheritdoc cref="Of(SessionStatistics)"/>
-        /// <param name="joints">Joints of a robot that are not live.</param>
-        /// <param name="samples">Number of messages of the robot that were used.</param>
-        public string Of(IReadOnlyList<JointStatus> joints, long samples)
+        public string Of(RobotStatistics robot) => Of(robot.JointStatuses, robot.Samples, IsHeld(robot.SettledPose, robot.IsSettledLimitedByBase));
+
+        static bool IsHeld(PoseState settled, bool isLimitedByBase) => settled == PoseState.Held && !isLimitedByBase;
+
+        // While the pose looks held, joints whose samples come near the horizon cap have data in some frames only. Their line must not flash, and its
+        // time must not change with each sample.
+        string Of(IReadOnlyList<JointStatus> joints, long samples, bool isHeld)
         {
             _chosen.Clear();
             for (var i = 0; i < joints.Count; i++)
                 if (IsDescribed(joints[i], samples)) _chosen.Add(joints[i]);
-            if (IsSame()) return _text;
+            if (IsSame(isHeld) || (isHeld && _isOfMissing && _chosen.Count == 0)) return _text;
             _described.Clear();
             _described.AddRange(_chosen);
             return _text = _chosen.Count == 0 ? null : JointStatusText.Of(_chosen, _describe);
@@ -59,17 +65,17 @@ namespace Nowpose.Unity.Status
             return since.ToString(since.Date == now.Date ? "HH:mm:ss" : "yyyy-MM-dd HH:mm", CultureInfo.InvariantCulture);
         }
 
-        bool IsSame()
+        bool IsSame(bool isHeld)
         {
             if (_chosen.Count != _described.Count) return false;
             for (var i = 0; i < _chosen.Count; i++)
-                if (!IsSame(_chosen[i], _described[i])) return false;
+                if (!IsSame(_chosen[i], _described[i], isHeld && _chosen[i].State == JointDataState.Stale)) return false;
             return true;
         }
 
         // A joint has an age only while the clock is known. The tolerance is needed because the gateway may recalculate the start of a state for each
         // report.
-        static bool IsSame(in JointStatus a, in JointStatus b) => a.Joint == b.Joint && a.State == b.State && a.Reason == b.Reason
-            && a.Age.HasValue == b.Age.HasValue && !((a.Since - b.Since)?.Duration() > Tolerance);
+        static bool IsSame(in JointStatus a, in JointStatus b, bool atAnyTime) => a.Joint == b.Joint && a.State == b.State && a.Reason == b.Reason
+            && a.Age.HasValue == b.Age.HasValue && (atAnyTime || !((a.Since - b.Since)?.Duration() > Tolerance));
     }
 }
