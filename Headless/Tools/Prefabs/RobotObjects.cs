@@ -46,7 +46,7 @@ sealed class RobotObjects
         return rig;
     }
 
-    /// <summary>Adds the ghost, which is hidden until the user enables it. The labels of ghost and robot are on different sides of the gripper.</summary>
+    /// <summary>Adds the ghost, hidden until the user enables it. Its label and that of the robot are at different sides of the tool.</summary>
     void AddGhost(Transform parent, RobotRig displayed)
     {
         var look = _assets.Load<Material>(PackagePaths.Ghost);
