@@ -43,8 +43,6 @@ describe('rtde adapter', { concurrency: 4 }, () => {
     const states = await statesOf(bridge, 40);
 
     for (const { header, position } of states) assert.ok(Math.abs(position[0] - angle(0, seconds(header.stamp))) < 1e-9);
-    const intervals = states.slice(1).map(({ header }, i) => seconds(header.stamp) - seconds(states[i].header.stamp));
-    assert.ok(Math.abs(intervals.sort((a, b) => a - b)[20] - 0.05) < 0.01, `${intervals}`);
     await until(() => bridge.state?.notice === rtdeMessages.slow(125), () => JSON.stringify(bridge.state));
     const before = robot.now, { values } = await bridge.call('/nowpose/plant_time/arm');
     const time = seconds(values.sent);
