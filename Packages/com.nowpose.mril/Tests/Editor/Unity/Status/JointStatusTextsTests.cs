@@ -66,7 +66,7 @@ namespace Nowpose.Tests.Unity.Status
             Assert.That(line.Of(Statistics(1, Joint("a3", JointDataState.Fault, 3, "node deleted"))),
                 Is.EqualTo("joint a3: no data since 11:59:57: node deleted"));
             Assert.That(line.Of(Statistics(1)), Is.Null);
-            Assert.That(line.Of(null), Is.Null);
+            Assert.That(line.Of((SessionStatistics)null), Is.Null);
         }
 
         [Test]
