@@ -1,5 +1,8 @@
 /** Whether the code of an error of Node.js states that no address of a host name was found. */
 export const isUnknownHost = (code: unknown): boolean => code === 'ENOTFOUND' || code === 'EAI_AGAIN';
 
+/** Whether the code of an error of Node.js states that the certificate of a server does not contain its host. */
+export const isOtherName = (code: unknown): boolean => code === 'ERR_TLS_CERT_ALTNAME_INVALID';
+
 /** Whether the code of an error of Node.js states that the certificate of a server is not trusted. */
 export const isUntrusted = (code: unknown): boolean => /CERT|UNABLE_TO|SELF_SIGNED/.test(String(code));

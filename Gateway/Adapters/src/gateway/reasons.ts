@@ -1,5 +1,5 @@
 import type { PeerCertificate } from 'node:tls';
-import { isUnknownHost, isUntrusted } from '../connectionErrors';
+import { isOtherName, isUnknownHost, isUntrusted } from '../connectionErrors';
 import { gatewayMessages } from '../messages/gateway';
 import { WrongKeyError } from './pin';
 
@@ -18,7 +18,7 @@ export function inWords(error: Error, name: string, wasOpen: boolean): string {
   if (wasOpen) return RESET.includes(code!) ? gatewayMessages.closed : error.message;
   if (code === 'ECONNREFUSED') return gatewayMessages.refuses;
   if (isUnknownHost(code)) return gatewayMessages.unknownHost(name);
-  if (code === 'ERR_TLS_CERT_ALTNAME_INVALID') {
+  if (isOtherName(code)) {
     const { host, cert } = error as Error & { host: string; cert: PeerCertificate };
     return gatewayMessages.otherName(name, host, cert.subjectaltname ?? 'no name');
   }

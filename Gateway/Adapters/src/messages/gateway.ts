@@ -4,6 +4,9 @@ const entryOf = (name: string, part: 'url' | 'pin'): string => {
   return part === 'pin' ? 'plant.pin' : 'plant.endpoint';
 };
 
+/** Gets the remedy for a certificate that is not trusted. */
+const setPin = (name: string): string => `set ${entryOf(name, 'pin')} to the pin of its key${name === 'gateway' ? ', which it prints' : ''}`;
+
 /** Messages about the connection to a gateway or rosbridge, given by its name, and about the versions of gateway and adapter. */
 export const gatewayMessages = {
   notConnected: (name: string) => `${name} is not connected`,
@@ -19,12 +22,11 @@ export const gatewayMessages = {
   noServer: (name: string, problem: string) =>
     `no ${name} responds (${problem}); check ${entryOf(name, 'url')}: the port, and whether the server uses ws:// or wss://`,
   unknownHost: (name: string) => `the host name is unknown; correct ${entryOf(name, 'url')}`,
-  notTrusted: (name: string, code: string) =>
-    `the certificate is not trusted (${code}); set ${entryOf(name, 'pin')} to the pin of its key${name === 'gateway' ? ', which it prints' : ''}`,
+  notTrusted: (name: string, code: string) => `the certificate is not trusted (${code}); ${setPin(name)}`,
   /** @param names The names in the certificate, such as "DNS:cell, IP Address:10.0.0.7". */
   otherName: (name: string, host: string, names: string) =>
     `the certificate of the ${name} does not contain ${host}, but ${names}; enter one of these in ${entryOf(name, 'url')}, renew the certificate `
-    + `with ${host}, or set ${entryOf(name, 'pin')} to the pin of its key${name === 'gateway' ? ', which it prints' : ''}`,
+    + `with ${host}, or ${setPin(name)}`,
   full: 'HTTP status 503: the gateway has reached its maximum number of connections; close unneeded clients, or increase max-connections',
   noCertificate: 'the gateway sent no certificate; start it with --tls or --certificate',
   otherPin: (name: string, pin: string) =>

@@ -1,7 +1,7 @@
 import { randomBytes } from 'node:crypto';
 import { connect, type IClientOptions, type MqttClient } from 'mqtt';
 import { reconnecting } from '../backoff';
-import { isUnknownHost, isUntrusted } from '../connectionErrors';
+import { isOtherName, isUnknownHost, isUntrusted } from '../connectionErrors';
 import type { BrokerAddress } from './address';
 import { brokerMessages } from '../messages/broker';
 import { PacketLimit } from './packetLimit';
@@ -177,7 +177,7 @@ function inWords(failure: (Error & { code?: string | number }) | null, endpoint:
   if (LOGIN_REFUSED.includes(code as number)) return brokerMessages.loginRefused(endpoint);
   if (isVersionRefused(failure) && version === 5) return brokerMessages.noMqtt5(endpoint);
   if (typeof code === 'number') return brokerMessages.refusesWith(endpoint, message);
-  if (code === 'ERR_TLS_CERT_ALTNAME_INVALID') return brokerMessages.otherHost(endpoint);
+  if (isOtherName(code)) return brokerMessages.otherHost(endpoint);
   if (isUntrusted(code)) return brokerMessages.notTrusted(String(code));
   return brokerMessages.noBroker(endpoint, failure === null ? 'connection closed' : String(code ?? message));
 }

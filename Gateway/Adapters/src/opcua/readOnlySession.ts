@@ -135,16 +135,19 @@ export class ReadOnlySession {
     return this.#answeredAt;
   }
 
+  /** @throws Error There is no session. */
+  get #open(): ClientSession {
+    if (this.#session === null) throw new Error(opcuaMessages.notConnected);
+    return this.#session;
+  }
+
   async read(node: string): Promise<DataValue> {
-    const session = this.#session;
-    if (session === null) throw new Error(opcuaMessages.notConnected);
-    return session.read({ nodeId: node, attributeId: AttributeIds.Value }, 0);
+    return this.#open.read({ nodeId: node, attributeId: AttributeIds.Value }, 0);
   }
 
   /** Reads the values of nodes. */
   async readAll(nodes: string[]): Promise<DataValue[]> {
-    const session = this.#session;
-    if (session === null) throw new Error(opcuaMessages.notConnected);
+    const session = this.#open;
     return this.#reads.each(nodes, part =>
       session.read(
         part.map(nodeId => ({ nodeId, attributeId: AttributeIds.Value })),
@@ -155,8 +158,7 @@ export class ReadOnlySession {
 
   /** Reads a property of nodes; null for a node that does not have it. */
   async properties(nodes: string[], name: string): Promise<(DataValue | null)[]> {
-    const session = this.#session;
-    if (session === null) throw new Error(opcuaMessages.notConnected);
+    const session = this.#open;
     // A server has separate limits for the two services.
     const found = await new RequestParts(NODES_PER_READ).each(nodes, part =>
       session.translateBrowsePath(part.map(node => makeBrowsePath(node, `.${name}`))),

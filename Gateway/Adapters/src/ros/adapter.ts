@@ -124,8 +124,7 @@ export async function run(context: AdapterContext<RosSettings>): Promise<void> {
   }
 
   function passTransforms(message: Record<string, unknown>): void {
-    for (const header of frames.headersOf(message)) simulation.check(settings.tf, header);
-    frames.pass(message);
+    frames.pass(message, header => simulation.check(settings.tf, header));
   }
 
   function passTrajectory(message: Record<string, unknown>): void {

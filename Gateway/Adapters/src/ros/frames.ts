@@ -8,6 +8,7 @@ import type { AdapterStatus } from '../gateway/status';
 import { type Refusal, StampRule } from '../samples/stampRule';
 import { type Nanoseconds, ofRosTime } from '../times';
 import { bare, type RosSettings } from './kind';
+import { EXPECTED_MS } from './renewals';
 import { RobotBase } from './robotBase';
 import { rosMessages } from '../messages/ros';
 import { refusalMessages } from '../messages/values';
@@ -26,9 +27,6 @@ interface RosTransform {
   transform?: Record<string, Record<string, unknown> | undefined>;
 }
 
-/** Time after a connection within which a pose of each frame is expected, ms. */
-const EXPECTED_MS = 10_000;
-
 const SUBJECT = 'frames';
 
 type Names = Pick<RosSettings, 'frames' | 'world' | 'namespace' | 'linkPrefix'>;
@@ -39,7 +37,6 @@ export class RosFrames {
   readonly #base: RobotBase;
   /** The frames in /tf and /tf_static of which no pose has arrived. */
   readonly #awaited: Set<RosFrame>;
-  #isRos1 = false;
 
   constructor(
     readonly names: Names,
@@ -67,18 +64,22 @@ export class RosFrames {
    * @param connectedMs Duration of the connection, ms.
    */
   check(connectedMs: number, isRos1: boolean): void {
-    this.#isRos1 = isRos1;
-    if (connectedMs >= EXPECTED_MS) this.#reportAwaited();
+    if (connectedMs < EXPECTED_MS || this.#awaited.size === 0) return;
+    this.status.notice(
+      rosMessages.noPose(
+        [...this.#awaited].map(({ source }) => source),
+        isRos1,
+      ),
+      SUBJECT,
+    );
   }
 
-  #reportAwaited(): void {
-    const names = [...this.#awaited].map(({ source }) => source);
-    this.status.notice(names.length === 0 ? null : rosMessages.noPose(names, this.#isRos1), SUBJECT);
-  }
-
-  /** Forwards the tracked frames in a message of /tf. */
-  pass(message: Record<string, unknown>): void {
-    this.#forward(this.#found(message));
+  /**
+   * Forwards the tracked frames in a message of /tf.
+   * @param seen Called with the header of each configured frame, valid or not.
+   */
+  pass(message: Record<string, unknown>, seen?: (header: unknown) => void): void {
+    this.#forward(this.#found(message, seen));
   }
 
   /** Forwards a frame with its own topic. The message is a TransformStamped, a PoseStamped, or contains a pose with covariance. */
@@ -117,27 +118,18 @@ export class RosFrames {
     }
   }
 
-  /** Gets the headers of the configured frames in a message, valid or not. */
-  headersOf({ transforms }: Record<string, unknown>): unknown[] {
-    if (!Array.isArray(transforms)) return [];
-    return transforms
-      .filter((one: Record<string, unknown> | null) => this.#indexOf(bare(one?.child_frame_id)) >= 0)
-      .map((one: Record<string, unknown>) => one.header);
-  }
-
-  #indexOf(source: string): number {
-    return this.names.frames.findIndex(frame => frame.topic === null && frame.source === source);
-  }
-
-  #found({ transforms }: Record<string, unknown>): { index: number; pose: Pose; stamp: Nanoseconds | null }[] {
+  #found({ transforms }: Record<string, unknown>, seen?: (header: unknown) => void): { index: number; pose: Pose; stamp: Nanoseconds | null }[] {
     if (!Array.isArray(transforms)) {
       this.status.refuse('malformed', 'transforms', rosMessages.noTransforms, this.status.frames);
       return [];
     }
     return transforms.flatMap((one: Record<string, unknown> | null) => {
       const source = bare(one?.child_frame_id);
-      const index = this.#indexOf(source);
-      if (index >= 0) return this.#read(index, one!);
+      const index = this.names.frames.findIndex(frame => frame.topic === null && frame.source === source);
+      if (index >= 0) {
+        seen?.(one!.header);
+        return this.#read(index, one!);
+      }
       if (source !== '' && source !== this.names.world) this.#base.add(this.#linkOf(source), source, bare((one as RosTransform).header?.frame_id));
       return [];
     });
@@ -154,7 +146,7 @@ export class RosFrames {
       this.status.refuse(refusal.reason, frame, refusal.text, this.status.frames);
       return [];
     }
-    if (this.#awaited.delete(this.names.frames[index]) && this.#awaited.size === 0) this.#reportAwaited();
+    if (this.#awaited.delete(this.names.frames[index]) && this.#awaited.size === 0) this.status.notice(null, SUBJECT);
     const [metres, rotation] = [position as number[], unit(turn as number[])!];
     return [{ index, pose: { frame, parent: this.#parentOf(parent), position: metres, rotation }, stamp: ofRosTime(header?.stamp) }];
   }

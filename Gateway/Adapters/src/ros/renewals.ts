@@ -1,5 +1,8 @@
 import { pause } from '../backoff';
 
+/** Time after a connection within which the description of a robot and a pose of each frame are expected, ms. */
+export const EXPECTED_MS = 10_000;
+
 const FIRST_MS = 5000;
 const MAX_MS = 300_000;
 

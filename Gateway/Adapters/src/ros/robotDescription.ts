@@ -3,9 +3,7 @@ import { description, excessOf, ROBOT_DESCRIPTION, topicOf } from '../gateway/me
 import type { AdapterStatus } from '../gateway/status';
 import { malformedMessages } from '../messages/broker';
 import { rosMessages } from '../messages/ros';
-
-/** Time after a connection within which the description of a robot is expected, ms. */
-const EXPECTED_MS = 10_000;
+import { EXPECTED_MS } from './renewals';
 
 const SUBJECT = 'robot description';
 

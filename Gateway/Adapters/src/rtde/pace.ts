@@ -18,10 +18,9 @@ export class Pace {
     return [...this.#intervals].sort((a, b) => a - b)[INTERVALS / 2];
   }
 
-  /** Returns whether less than half of the requested packages arrive; null until enough have arrived. */
-  isBelowHalfOf(requestedHz: number): boolean | null {
-    const { usual } = this;
-    return usual === null ? null : requestedHz * usual > MIN_SLOWNESS;
+  /** Returns whether less than half of the requested packages arrive; false until enough have arrived. */
+  isBelowHalfOf(requestedHz: number): boolean {
+    return requestedHz * (this.usual ?? 0) > MIN_SLOWNESS;
   }
 
   /**

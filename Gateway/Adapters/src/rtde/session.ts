@@ -268,9 +268,7 @@ export class RtdeSession {
   }
 
   #reportRate(): void {
-    const isSlow = this.#pace.isBelowHalfOf(this.#rateHz);
-    if (isSlow === null) return;
-    this.context.status.notice(isSlow ? rtdeMessages.slow(this.#rateHz) : null, 'rate');
+    this.context.status.notice(this.#pace.isBelowHalfOf(this.#rateHz) ? rtdeMessages.slow(this.#rateHz) : null, 'rate');
   }
 
   #reportStep(by: Nanoseconds): void {

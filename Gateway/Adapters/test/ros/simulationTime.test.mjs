@@ -42,9 +42,9 @@ describe('the time of a simulation', () => {
 
   it('Headers_OfSeveralTransforms_AreThoseOfConfiguredFrames', () => {
     const { ros } = rosCell([{ frame: 'part' }]);
-    const header = { stamp: { sec: 12, nanosec: 0 }, frame_id: 'map' };
+    const header = { stamp: { sec: 12, nanosec: 0 }, frame_id: 'map' }, headers = [];
 
-    const headers = ros.headersOf({ transforms: [{ header: {}, child_frame_id: 'other' }, { header, child_frame_id: 'detected_part' }, null] });
+    ros.pass({ transforms: [{ header: {}, child_frame_id: 'other' }, { header, child_frame_id: 'detected_part' }, null] }, seen => headers.push(seen));
 
     assert.deepEqual(headers, [header]);
   });
