@@ -193,8 +193,7 @@ public sealed class GatewayServer : IAsyncDisposable
         _log.Dispose();
     }
 
-    string LocalHost => _options.Bind.Equals(IPAddress.Any) || _options.Bind.Equals(IPAddress.IPv6Any)
-        ? "localhost" : OwnHosts.Reachable(_options.Bind).First();
+    string LocalHost => OwnHosts.IsAny(_options.Bind) ? "localhost" : OwnHosts.Reachable(_options.Bind).First();
 
     Uri PageUri(string host, string path) =>
         new($"{(Pin == null ? Uri.UriSchemeHttp : Uri.UriSchemeHttps)}://{host}:{WebSocketEndPoint.Port}{path}");

@@ -15,7 +15,7 @@ sealed class JointOwners
     /// <summary>Maximum number of names of one source on a topic, so that a source with many names leaves room for the others.</summary>
     internal const int MaxNamesOfSource = MaxNames / 2;
 
-    /// <summary>Maximum number of refused names of one message that are reported, so that a message with many of them does not delay the others.</summary>
+    /// <summary>Maximum number of reported refused names of one message, so that a message with many of them does not delay the others.</summary>
     internal const int MaxReported = 16;
 
     // The number of topics is bounded by the maximum number of robots.
@@ -28,8 +28,11 @@ sealed class JointOwners
     public Func<string, string> RobotOfListedJoint { private get; set; }
 
     /// <summary>Gets the refusal of names of which one belongs to another source; null if there is none.</summary>
-    public Refusal? FindTaken(HubSource source, string topic, string[] names) =>
-        names.Select(name => OfAnotherSource(source, topic, name)).FirstOrDefault(taken => taken != null);
+    public Refusal? FindTaken(HubSource source, string topic, string[] names)
+    {
+        var owners = _topics.GetValueOrDefault(topic);
+        return names.Select(name => OfAnotherSource(source, owners, name)).FirstOrDefault(taken => taken != null);
+    }
 
     /// <summary>
     /// Makes a source the owner of names on a robot's topic: of the free names of a joint state, and of all or none of other names. A joint is free
@@ -45,19 +48,20 @@ sealed class JointOwners
         HubSource source, string robot, string kind, string[] names, Func<Refusal?> use, out string[] claimed, out IReadOnlyList<Refusal> taken)
     {
         var topic = RobotTopic.NameOf(robot, kind);
+        var owners = _topics.GetValueOrDefault(topic);
         var isStates = kind == RosTopics.JointStates;
         var refused = new List<Refusal>();
         var free = Array.FindAll(names, name =>
         {
-            var reason = OfAnotherSource(source, topic, name) ?? (isStates ? OfAnotherRobot(robot, name) : null);
+            var reason = OfAnotherSource(source, owners, name) ?? (isStates ? OfAnotherRobot(robot, name) : null);
             if (reason != null && refused.Count < MaxReported) refused.Add(reason.Value);
             return reason == null;
         });
         taken = refused;
         claimed = [];
         if (refused.Count > 0 && (!isStates || free.Length == 0)) return refused[0];
-        if ((FindExcess(source, topic, free) ?? use()) is { } whole) return whole;
-        if (!_topics.TryGetValue(topic, out var owners)) _topics[topic] = owners = new OwnerMap<string>();
+        if ((FindExcess(source, topic, owners, free) ?? use()) is { } whole) return whole;
+        if (owners == null) _topics[topic] = owners = new OwnerMap<string>();
         foreach (var name in free) owners.Take(source, name);
         claimed = free;
         return refused.Count == 0 ? null : refused[0];
@@ -76,9 +80,9 @@ sealed class JointOwners
     }
 
     // Returns the refusal of names with which the topic or the source would have too many names; null if there is room.
-    Refusal? FindExcess(HubSource source, string topic, string[] names)
+    static Refusal? FindExcess(HubSource source, string topic, OwnerMap<string> owners, string[] names)
     {
-        if (!_topics.TryGetValue(topic, out var owners)) return null;
+        if (owners == null) return null;
         var added = names.Count(name => owners[name] == null);
         var rule = added == 0 ? null
             : owners.Count + added > MaxNames ? DropMessages.TooManyNames(MaxNames)
@@ -86,9 +90,9 @@ sealed class JointOwners
         return rule == null ? null : new Refusal(DropReason.TooManyJoints, topic, Rule: rule);
     }
 
-    Refusal? OfAnotherSource(HubSource source, string topic, string name) =>
-        _topics.TryGetValue(topic, out var owners) && owners.OtherThan(source, name) is { } owner
-            ? new Refusal(DropReason.JointTaken, name, owner) : null;
+    /// <param name="owners">Owners of the names on the topic; null if there are none.</param>
+    static Refusal? OfAnotherSource(HubSource source, OwnerMap<string> owners, string name) =>
+        owners?.OtherThan(source, name) is { } owner ? new Refusal(DropReason.JointTaken, name, owner) : null;
 
     Refusal? OfAnotherRobot(string robot, string name)
     {

@@ -72,6 +72,10 @@ public sealed class MotionRecording
     /// <param name="joint">Index into <see cref="Names"/>.</param>
     public double[] PositionsOf(int joint) => [.. Enumerable.Range(0, _times.Length).Select(row => _positions[row * _names.Length + joint])];
 
+    /// <summary>Whether a position in a row differs from that in the row before it.</summary>
+    /// <param name="row">Index of the row, 1 or more.</param>
+    internal bool ChangesAt(int row) => !Row(row).SequenceEqual(Row(row - 1));
+
     int FirstRowAfter(double seconds)
     {
         var found = Array.BinarySearch(_times, seconds);

@@ -1,4 +1,3 @@
-using System.Net;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Network;
@@ -98,7 +97,7 @@ sealed class PairingPage(GatewayOptions options, ShownCode shown, AccessControl 
         if (!await accessControl.AdmitOriginAsync(context)) return false;
         // Checks the host name against DNS rebinding: another site can make its own host name resolve to this machine and read the response.
         // Does not compare with the local address: rootless containers can receive all connections from their own address.
-        if (IPAddress.IsLoopback(context.Connection.RemoteIpAddress) && accessControl.IsOwnHost(context)) return true;
+        if (AccessRule.IsFromHere(context) && accessControl.IsOwnHost(context)) return true;
         // An operator's login needs no host check, because browsers do not send its cookie or header under another host name.
         if (accessControl.IsOperator(context)) return true;
         await AccessControl.AnswerAsync(

@@ -1,6 +1,6 @@
-using System.Net;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
+using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway.Plants;
 
@@ -24,7 +24,7 @@ sealed class AdapterProcesses : IAsyncDisposable
     /// <exception cref="InputException">There are adapters, and they would have to connect to another address than loopback without TLS.</exception>
     public static void CheckAddress(IReadOnlyCollection<string> files, GatewayOptions options, bool encrypts)
     {
-        if (files.Count > 0 && !encrypts && !options.IsLoopback && !IsAny(options.Bind))
+        if (files.Count > 0 && !encrypts && !OwnHosts.IsLocalhostReachable(options.Bind))
             throw new InputException(AdapterMessages.NoTls(options.Bind));
     }
 
@@ -68,8 +68,6 @@ sealed class AdapterProcesses : IAsyncDisposable
         gateway.Expect([.. started._processes.Select(process => (Func<AdapterState>)(() => process.State))]);
         return started;
     }
-
-    static bool IsAny(IPAddress bind) => bind.Equals(IPAddress.Any) || bind.Equals(IPAddress.IPv6Any);
 
     public async ValueTask DisposeAsync()
     {

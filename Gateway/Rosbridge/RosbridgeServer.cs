@@ -56,7 +56,8 @@ sealed class RosbridgeServer(
             return;
         }
 
-        using var place = access.Sources.TryEnter(accessControl.TokenHashOf(context), role, context.Connection.RemoteIpAddress);
+        var token = accessControl.TokenHashOf(context);
+        using var place = access.Sources.TryEnter(token, role, context.Connection.RemoteIpAddress);
         if (place == null)
         {
             counters.Leave(Closure.SourceLimit);
@@ -67,7 +68,7 @@ sealed class RosbridgeServer(
         var why = Closure.ByPeer;
         try
         {
-            why = await TalkAsync(context, role);
+            why = await TalkAsync(context, role, token);
         }
         finally
         {
@@ -77,7 +78,7 @@ sealed class RosbridgeServer(
         }
     }
 
-    async Task<Closure> TalkAsync(HttpContext context, Role role)
+    async Task<Closure> TalkAsync(HttpContext context, Role role, byte[] token)
     {
         var upgrade = (CountingUpgrade)context.Features.Get<IHttpUpgradeFeature>();
         // Removes Kestrel's limit: RosbridgeConnection drops messages to slow readers, and disconnects those that are too slow.
@@ -89,7 +90,6 @@ sealed class RosbridgeServer(
             KeepAliveInterval = Timeout.InfiniteTimeSpan,
         });
         PendingWebConnections.Release(context);
-        var token = accessControl.TokenHashOf(context);
         var isSource = role == Role.Source;
         // Only a source may send long messages.
         var longest = isSource ? ProtocolLimits.DescriptionBytes : ProtocolLimits.MessageBytes;

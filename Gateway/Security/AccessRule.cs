@@ -76,6 +76,7 @@ sealed class AccessRule(GatewayOptions options, BrowserSessions sessions)
 
     string Scheme => options.Certificate == null ? Uri.UriSchemeHttp : Uri.UriSchemeHttps;
 
-    static bool IsFromHere(HttpContext context) =>
+    /// <summary>Whether a request comes from this machine, over a loopback address.</summary>
+    public static bool IsFromHere(HttpContext context) =>
         context.Connection.RemoteIpAddress is { } remote && IPAddress.IsLoopback(remote);
 }

@@ -27,14 +27,16 @@ static class OwnHosts
     public static IEnumerable<string> Of(IPAddress local, IReadOnlyList<string> others) => NamesOf(local)
         .Concat(others.Select(other => IPAddress.TryParse(other, out var address) ? UrlTextOf(address) : other)).Prepend(UrlTextOf(local));
 
-    /// <summary>Whether a browser on this machine reaches a gateway at localhost that listens on an address.</summary>
-    public static bool IsLocalhostReachable(IPAddress bind) =>
-        bind.Equals(IPAddress.Any) || bind.Equals(IPAddress.IPv6Any) || IPAddress.IsLoopback(bind);
+    /// <summary>Whether a gateway that listens on an address listens on all addresses of this machine.</summary>
+    public static bool IsAny(IPAddress bind) => bind.Equals(IPAddress.Any) || bind.Equals(IPAddress.IPv6Any);
+
+    /// <summary>Whether a client on this machine reaches a gateway at localhost that listens on an address.</summary>
+    public static bool IsLocalhostReachable(IPAddress bind) => IsAny(bind) || IPAddress.IsLoopback(bind);
 
     /// <summary>Gets the hosts under which browsers can open the pages of a gateway that listens on an address.</summary>
     public static IEnumerable<string> Reachable(IPAddress bind)
     {
-        if (!bind.Equals(IPAddress.Any) && !bind.Equals(IPAddress.IPv6Any)) return [UrlTextOf(bind)];
+        if (!IsAny(bind)) return [UrlTextOf(bind)];
         // A gateway that listens on all IPv6 addresses also listens on all IPv4 addresses.
         var addresses = AddressesOfThisMachine()
             .Where(address => address.AddressFamily == AddressFamily.InterNetwork || bind.Equals(IPAddress.IPv6Any));

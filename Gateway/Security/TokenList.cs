@@ -68,9 +68,10 @@ public sealed class TokenList
         var tokens = new FollowedFile<Content>([path], (out string fault) =>
         {
             fault = null;
-            var lines = LinesOf(path);
+            var entries = Entries(LinesOf(path), path).ToArray();
             return new Content(
-                [.. Entries(lines, path).Select(entry => (HashOf(entry.Token), entry.Role, IsWeak(entry.Token)))], [.. WeakEntries(lines, path)]);
+                [.. entries.Select(entry => (HashOf(entry.Token), entry.Role, IsWeak(entry.Bits)))],
+                [.. entries.Where(entry => IsWeak(entry.Bits)).Select(entry => (entry.Where, entry.Bits))]);
         }, Settles, log);
         if (tokens.Current.Entries.Length == 0)
             throw new InputException(TokenFileMessages.NoToken(path));
@@ -109,27 +110,22 @@ public sealed class TokenList
         foreach (var line in Precautions.OfTokens(content.Weak)) _log(line);
     }
 
-    static bool IsWeak(string token) => TokenStrength.BitsOf(token) < TokenStrength.MinBits;
+    static bool IsWeak(double bits) => bits < TokenStrength.MinBits;
 
-    static IEnumerable<(string Token, Role Role)> Entries(string[] lines, string path)
+    static IEnumerable<(string Token, Role Role, string Where, double Bits)> Entries(string[] lines, string path)
     {
         var known = new Dictionary<string, (Role Role, int Line)>();
         for (var number = 1; number <= lines.Length; number++)
         {
             var text = lines[number - 1].Trim();
             if (text.Length == 0 || text[0] == '#') continue;
-            var (token, role) = Entry(text, $"{path}, line {number}");
+            var where = $"{path}, line {number}";
+            var (token, role) = Entry(text, where);
             if (!known.TryAdd(token, (role, number)) && known[token].Role != role)
                 throw new InputException(TokenFileMessages.TwoRoles(path, known[token].Line, number));
-            yield return (token, role);
+            yield return (token, role, where, TokenStrength.BitsOf(token));
         }
     }
-
-    static IEnumerable<(string Where, double Bits)> WeakEntries(string[] lines, string path) => lines
-        .Select((line, index) => (Words: line.Split([' ', '\t'], StringSplitOptions.RemoveEmptyEntries), Where: $"{path}, line {index + 1}"))
-        .Where(line => line.Words.Length == 2 && line.Words[0][0] != '#')
-        .Select(line => (line.Where, Bits: TokenStrength.BitsOf(line.Words[1])))
-        .Where(line => line.Bits < TokenStrength.MinBits);
 
     static string[] LinesOf(string path) => FileFault.Report(() => File.ReadAllLines(path), e => PathMessages.NotRead(path, e));
 

@@ -39,12 +39,13 @@ sealed class Conditions(
         var reports = diagnostics.Read();
         // The joints, frames and signals of an adapter that is not connected have the same fault as the adapter, and a wrong rate of the control
         // clock makes all joints faulty.
-        var unconnected = reports.Where(one => NotConnectedReason(one) != null).Select(one => StatusObjects.AdapterName(one.Name)).ToHashSet();
+        var lost = reports.Select(one => (Report: one, Reason: NotConnectedReason(one))).Where(one => one.Reason != null).ToArray();
+        var unconnected = lost.Select(one => StatusObjects.AdapterName(one.Report.Name)).ToHashSet();
         NoteUnconnected(unconnected);
         var faulty = joints.Where(row => !row.IsGood).ToLookup(row => unconnected.Contains(row.Source));
         return
         [
-            .. reports.SelectMany(one => OfConnection(one, faulty[true])).Concat(ClockConditions.Of(clock)).Concat(OfSources(joints))
+            .. lost.Select(one => OfConnection(one.Report, one.Reason, faulty[true])).Concat(ClockConditions.Of(clock)).Concat(OfSources(joints))
                 .Concat(OfAdapters(reports))
                 .Concat(faulty[false].Where(row => row.ReasonWord != JointFaultReasons.ClockRate).Select(row => Of(row) with { Age = ConnectionTime(row) }))
                 .Concat(OfUncertainRests(joints))
@@ -188,11 +189,10 @@ sealed class Conditions(
     }
 
     /// <param name="faulty">The faulty joints of all adapters that are not connected.</param>
-    static IEnumerable<Condition> OfConnection(ClientReport report, IEnumerable<JointSnapshot> faulty)
+    static Condition OfConnection(ClientReport report, string reason, IEnumerable<JointSnapshot> faulty)
     {
-        if (NotConnectedReason(report) is not { } reason) yield break;
         var name = StatusObjects.AdapterName(report.Name);
-        yield return new("adapter", name, EventTexts.IsNotConnected, reason, Level.Error, faulty.Any(row => row.Source == name))
+        return new("adapter", name, EventTexts.IsNotConnected, reason, Level.Error, faulty.Any(row => row.Source == name))
         {
             Headline = EventTexts.NotConnected(name),
             // Normal only before the first samples; later, it means that the connection was lost.
