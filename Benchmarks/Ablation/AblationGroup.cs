@@ -52,7 +52,7 @@ sealed class AblationGroup(string name, IReadOnlyList<AblationRun> runs)
 
     /// <summary>Gets the simulated motions with seeds with which nothing was selected, three for each set.</summary>
     public static IEnumerable<AblationGroup> HeldOut(int sets) => Enumerable.Range(0, sets).Select(set =>
-        Simulated(FormattableString.Invariant($"set {set + 1}"), 0, [.. Seeds.Select((_, i) => FirstHeldOutSeed + set * Seeds.Length + i)]));
+        Simulated(FormattableString.Invariant($"set {set + 1}"), 0, [.. Enumerable.Range(FirstHeldOutSeed + set * Seeds.Length, Seeds.Length)]));
 
     /// <summary>Gets the RMS errors of the default predictor, for each group.</summary>
     public static double[][] Errors(IReadOnlyList<AblationGroup> groups) => [.. groups.Select(group => group.Errors(Predictors.Default))];

@@ -68,15 +68,15 @@ static class AblationVerb
 
     static void WriteHeldOut(int sets, CancellationToken stop)
     {
+        AblationGroup[] groups = [.. AblationGroup.HeldOut(sets)];
         var ratios = new List<double[]>();
-        IReadOnlyList<string> names = [];
-        foreach (var group in AblationGroup.HeldOut(sets))
+        foreach (var group in groups)
         {
             stop.ThrowIfCancellationRequested();
-            names = group.Names;
             ratios.Add([.. group.Errors(Predictors.Default).Zip(group.MinFixedErrors(), (error, of) => error / of)]);
         }
         var table = new MarkdownTable(Console.Out, "held-out seeds", "adaptive ÷ best fixed, mean ± standard deviation of the sets");
+        var names = groups[0].Names;
         for (var i = 0; i < names.Count; i++) table.Add($"{names[i]} | {MeanAndDeviation(ratios.Select(set => set[i]))}");
         table.Add($"mean | {MeanAndDeviation(ratios.Select(set => set.Average()))}");
     }

@@ -51,7 +51,7 @@ sealed record DemoRun(
 
     /// <summary>Gets the reasons why the results or the recording can mislead a reader, in one line each; null if there are none.</summary>
     /// <param name="interruption">Message that the run is incomplete; null if it is complete.</param>
-    /// <param name="ofOthers">Notes about further repeats; null for one run.</param>
+    /// <param name="ofOthers">Notes about further repeats, null for a repeat without one; null for one run.</param>
     public IReadOnlyList<string> Notes(string interruption, IEnumerable<string> ofOthers = null)
     {
         var lost = LostLines > 0 ? DemoMessages.LinesLost(LostLines) : null;

@@ -10,7 +10,8 @@ namespace Nowpose.Cli.Figures;
 sealed class Figure12 : IFigureStudy
 {
     const double MsPerS = 1000;
-    const double Velocity = 1000, Acceleration = 5000, Jerk = 50_000;
+
+    static readonly MotionLimits Limits = MotionLimits.Default;
 
     /// <summary>Start of the second forward move of the swing, s. All signals have a history by then.</summary>
     const double Start = 2.4;
@@ -34,12 +35,12 @@ sealed class Figure12 : IFigureStudy
     {
         var table = TableOfFrames();
         var steady = _frames[0].Where(f => Math.Abs(Motions.PaperMove.AccelerationAt(f.Time - Start)) < 1e-6
-            && Motions.PaperMove.VelocityAt(f.Time - Start - Lag) > Velocity - 1e-6).Select(f => f.Truth - f.Held).ToArray();
+            && Motions.PaperMove.VelocityAt(f.Time - Start - Lag) > Limits.Velocity - 1e-6).Select(f => f.Truth - f.Held).ToArray();
         yield return new Figure("12", "The test signal")
         {
             Claim = Figure12Texts.Claim,
             Criteria = Criteria(Motions.PaperMove, steady),
-            Conditions = Figure12Texts.Conditions(Velocity, Acceleration, Jerk),
+            Conditions = Figure12Texts.Conditions(Limits.Velocity, Limits.Acceleration, Limits.Jerk),
             Table = table,
             Plots = [.. PlotsOf(table)],
         };
@@ -50,12 +51,13 @@ sealed class Figure12 : IFigureStudy
     {
         double[] ms = [.. Enumerable.Range(0, (int)(move.Duration * MsPerS)).Select(i => (i + 0.5) / MsPerS)];
         var (v, a, j) = (ms.Max(t => Math.Abs(move.VelocityAt(t))), ms.Max(t => Math.Abs(move.AccelerationAt(t))), ms.Max(t => Math.Abs(JerkAt(move, t))));
-        var phases = 1 + ms.Skip(1).Count(t => Math.Abs(JerkAt(move, t) - JerkAt(move, t - 1 / MsPerS)) > Jerk / 2);
+        var phases = 1 + ms.Skip(1).Count(t => Math.Abs(JerkAt(move, t) - JerkAt(move, t - 1 / MsPerS)) > Limits.Jerk / 2);
         return
         [
             new(Figure12Texts.SevenPhases, phases == 7, $"it has {phases}"),
             new(Figure12Texts.Limits,
-                v <= 1.001 * Velocity && a <= 1.001 * Acceleration && j <= 1.001 * Jerk, FormattableString.Invariant($"{v:0} mm/s, {a:0} mm/s², {j:0} mm/s³")),
+                v <= 1.001 * Limits.Velocity && a <= 1.001 * Limits.Acceleration && j <= 1.001 * Limits.Jerk,
+                FormattableString.Invariant($"{v:0} mm/s, {a:0} mm/s², {j:0} mm/s³")),
             new(Figure12Texts.Hold, lagMm.Min() >= 99.9 && lagMm.Max() <= 150.1,
                 $"by {Text(lagMm.Min())} to {Mm(lagMm.Max())}"),
         ];
@@ -74,8 +76,8 @@ sealed class Figure12 : IFigureStudy
         for (var i = 0; i < _frames[0].Length; i++)
         {
             var (frame, t) = (_frames[0][i], _frames[0][i].Time - Start);
-            table.Add([MsPerS * t, Motions.PaperMove.VelocityAt(t) / Velocity, Motions.PaperMove.AccelerationAt(t) / Acceleration,
-                JerkAt(Motions.PaperMove, t) / Jerk, frame.Truth, frame.Held, .. _frames.Select(f => (double?)f[i].Predicted)]);
+            table.Add([MsPerS * t, Motions.PaperMove.VelocityAt(t) / Limits.Velocity, Motions.PaperMove.AccelerationAt(t) / Limits.Acceleration,
+                JerkAt(Motions.PaperMove, t) / Limits.Jerk, frame.Truth, frame.Held, .. _frames.Select(f => (double?)f[i].Predicted)]);
         }
         return table;
     }

@@ -1,6 +1,7 @@
 using System.Globalization;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Messages;
+using Nowpose.Cli.Studies;
 
 namespace Nowpose.Cli.Figures;
 

@@ -62,8 +62,7 @@ static class RecommendVerb
     internal static IEnumerable<string> WarningsOf(RecordedSession session, int done, int all)
     {
         if (done < all) yield return RecommendMessages.Interrupted(done, all);
-        if (session?.Lost > 0) yield return SessionFileMessages.LinesLost(session.Lost);
-        if (session?.CutOff is { } end) yield return SessionFileMessages.NoEnd(end);
+        foreach (var warning in session?.Warnings() ?? []) yield return warning;
     }
 
     static (RecordingTraits Traits, ISubject[] Subjects, RecordedSession Session) OfMotion(

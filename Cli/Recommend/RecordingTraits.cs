@@ -26,7 +26,7 @@ sealed class RecordingTraits
         var moving = joints.Where(joint => joint.Positions.Count > 1).ToList();
         // All joints of a motion have the same times.
         if (samplingMs is double sampled && moving.Count > 0)
-            _rows = RowInterval.WarningOf(moving[0].Times, [.. moving.Select(joint => joint.Positions)], sampled);
+            _rows = RowInterval.WarningOf(moving[0].Times, row => moving.Exists(joint => joint.Positions[row] != joint.Positions[row - 1]), sampled);
         Duration = moving.Select(joint => joint.Times[^1] - joint.Times[0]).DefaultIfEmpty().Max();
         var intervals = moving.SelectMany(joint => joint.Times.Zip(joint.Times.Skip(1), (a, b) => b - a)).ToList();
         if (intervals.Count > 0)

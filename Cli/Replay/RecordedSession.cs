@@ -54,10 +54,12 @@ sealed class RecordedSession
     /// <summary>Number of lines that are missing because the recording could not keep up.</summary>
     public long Lost { get; private set; }
 
-    /// <summary>
-    /// End of the results of an incomplete recording: time of the last event with a known time. Null if the recording is complete or has no events.
-    /// </summary>
-    public ControlTime? CutOff => !_isComplete && _events.FindLast(one => one.IsTimed) is { IsTimed: true } last ? last.At : null;
+    /// <summary>Gets the reasons why the recording is incomplete, in one line each.</summary>
+    public IEnumerable<string> Warnings()
+    {
+        if (Lost > 0) yield return SessionFileMessages.LinesLost(Lost);
+        if (CutOff is { } end) yield return SessionFileMessages.NoEnd(end);
+    }
 
     /// <exception cref="InputException">The file cannot be read or has another format.</exception>
     public static RecordedSession Read(string path)
@@ -76,6 +78,9 @@ sealed class RecordedSession
     /// <summary>Gets the joint values of a sample event.</summary>
     public ReadOnlySpan<Value> ValuesOf(in Event sample) =>
         System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_values).Slice(sample.First, sample.Count);
+
+    // End of the results of an incomplete recording: time of the last event with a known time. Null if the recording is complete or has no events.
+    ControlTime? CutOff => !_isComplete && _events.FindLast(one => one.IsTimed) is { IsTimed: true } last ? last.At : null;
 
     void Add(SessionLine line)
     {

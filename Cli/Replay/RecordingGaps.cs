@@ -16,13 +16,14 @@ readonly record struct RecordingGaps(int Count, double LargestSeconds)
 
     /// <summary>Finds the gaps of a motion; null if there are none.</summary>
     /// <param name="times">Times of the rows, increasing, s.</param>
-    /// <param name="columns">Values of each column, one per row. An interval with equal values at both ends is a rest.</param>
-    public static RecordingGaps? Of(IReadOnlyList<double> times, IReadOnlyList<IReadOnlyList<double>> columns)
+    /// <param name="interval">The median interval between them, s.</param>
+    /// <param name="changesAt">Whether the values of a row differ from those of the row before it. If they do not, the interval is a rest.</param>
+    public static RecordingGaps? Of(IReadOnlyList<double> times, double interval, Func<int, bool> changesAt)
     {
         if (times.Count < MinRows) return null;
-        var min = Math.Max(MinSeconds, MinRatio * RowInterval.Of(times));
+        var min = Math.Max(MinSeconds, MinRatio * interval);
         double[] gaps = [.. Enumerable.Range(1, times.Count - 1)
-            .Where(row => times[row] - times[row - 1] > min && columns.Any(values => values[row] != values[row - 1]))
+            .Where(row => times[row] - times[row - 1] > min && changesAt(row))
             .Select(row => times[row] - times[row - 1])];
         return gaps.Length == 0 ? null : new RecordingGaps(gaps.Length, gaps.Max());
     }

@@ -73,7 +73,9 @@ static class ReplayVerb
         if (RecordingText.IsSession(path))
         {
             var session = await Invocation.ReadAsync(() => RecordedSession.Read(path), cancellation);
-            List<string> warnings = [.. WarningsOf(session, isDefault ? settings.Predictor : null)];
+            List<string> warnings = [.. session.Warnings()];
+            // The session was displayed with another predictor than the default one.
+            if (isDefault && session.Header.Prediction.Predictor is var own && own != settings.Predictor) warnings.Add(ReplayMessages.OtherPredictor(own));
             foreach (var warning in warnings) await Console.Error.WriteLineAsync(ConsoleMessages.Line($"{path}: {warning}"));
             var result = WithFrames(frames, SessionReplay.AxesOf(session), table => WithProgress("events", 2 * session.Events.Count,
                 report => RunSession(path, session, settings, report, cancellation, table)));
@@ -114,16 +116,6 @@ static class ReplayVerb
                 return (replay.Frames, replay.Run);
             }), json, cancellation.IsCancellationRequested, ReplayConditions.Of(settings), ofMotion);
         return ExitStatus.Done;
-    }
-
-    /// <summary>Gets the reasons why the results of a session can mislead a reader.</summary>
-    /// <param name="standard">The predictor of the replay if the user gave none; otherwise null.</param>
-    static IEnumerable<string> WarningsOf(RecordedSession session, string standard)
-    {
-        if (session.Lost > 0) yield return SessionFileMessages.LinesLost(session.Lost);
-        if (session.CutOff is { } end) yield return SessionFileMessages.NoEnd(end);
-        var own = session.Header.Prediction.Predictor;
-        if (standard != null && own != standard) yield return ReplayMessages.OtherPredictor(own);
     }
 
     static void RequireFrames(string frames, string input)

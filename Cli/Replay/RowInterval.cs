@@ -18,16 +18,16 @@ static class RowInterval
     /// intervals are long; null if the rows are dense enough.
     /// </summary>
     public static string WarningOf(MotionRecording motion, double samplingMs) =>
-        WarningOf(motion.Times, [.. motion.Names.Select((_, joint) => motion.PositionsOf(joint))], samplingMs);
+        WarningOf(motion.Times, motion.ChangesAt, samplingMs);
 
     /// <param name="times">Times of the rows, two or more, increasing, s.</param>
-    /// <param name="columns">Values of each column, one per row.</param>
+    /// <param name="changesAt">Whether the values of a row differ from those of the row before it.</param>
     /// <inheritdoc cref="WarningOf(MotionRecording, double)"/>
-    public static string WarningOf(IReadOnlyList<double> times, IReadOnlyList<IReadOnlyList<double>> columns, double samplingMs)
+    public static string WarningOf(IReadOnlyList<double> times, Func<int, bool> changesAt, double samplingMs)
     {
-        var intervalMs = 1e3 * Of(times);
-        var gaps = RecordingGaps.Of(times, columns);
-        if (intervalMs > MaxRatio * samplingMs) return ReplayMessages.CoarseRows(intervalMs, samplingMs, gaps);
+        var interval = Of(times);
+        var gaps = RecordingGaps.Of(times, interval, changesAt);
+        if (1e3 * interval > MaxRatio * samplingMs) return ReplayMessages.CoarseRows(1e3 * interval, samplingMs, gaps);
         return gaps is { } found ? ReplayMessages.Gaps(found) : null;
     }
 }

@@ -3,14 +3,14 @@ using System.Globalization;
 using Nowpose.Cli.Messages;
 using Nowpose.Motion;
 
-namespace Nowpose.Cli.Figures;
+namespace Nowpose.Cli.Studies;
 
 /// <summary>Limits of a move: mm/s, mm/s² and mm/s³.</summary>
 readonly record struct MotionLimits(double Velocity, double Acceleration, double Jerk)
 {
     const double Stroke = 500, Min = 1, Max = 1e9;
 
-    /// <summary>The limits of <see cref="Studies.Motions.PaperMove"/>. The paper states none.</summary>
+    /// <summary>The limits of <see cref="Motions.PaperMove"/>. The paper does not state them, so these values are assumptions.</summary>
     public static MotionLimits Default { get; } = new(1000, 5000, 50_000);
 
     /// <summary>Creates the option <c>--limits V,A,J</c>.</summary>

@@ -7,9 +7,8 @@ namespace Nowpose.Cli.Studies;
 /// <summary>Creates simulated motions in mm. The same seed creates the same motion.</summary>
 public static class Motions
 {
-    /// <summary>A move like that of the paper's Fig. 12: 500 mm, 1000 mm/s, 5000 mm/s², 50 000 mm/s³.</summary>
-    /// <remarks>The paper does not state the limits, so these values are assumptions.</remarks>
-    internal static SevenPhaseProfile PaperMove { get; } = new(500, 1000, 5000, 50_000);
+    /// <summary>A move like that of the paper's Fig. 12: 500 mm, with <see cref="MotionLimits.Default"/>.</summary>
+    internal static SevenPhaseProfile PaperMove { get; } = MotionLimits.Default.Move();
 
     /// <summary>Dwell of the swing after each move, s.</summary>
     const double SwingDwell = 0.4;

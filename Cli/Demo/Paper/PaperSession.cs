@@ -67,7 +67,7 @@ static class PaperSession
             Claims = claims,
             Notes = runs[0].Run.Notes(
                 complete == repeats ? null : DemoMessages.RepeatsInterrupted(complete, repeats),
-                runs.Skip(1).Where(each => each.Run.LateNote != null).Select(each => DemoMessages.OfRepeat(each.Repeat, each.Run.LateNote))),
+                runs.Skip(1).Select(each => each.Run.LateNote is { } note ? DemoMessages.OfRepeat(each.Repeat, note) : null)),
         };
         // The result and the report are written first, because they exist even if another file cannot be written.
         output.Write(score, runs[0].Run, result, figures);

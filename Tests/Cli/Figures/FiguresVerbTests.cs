@@ -2,6 +2,7 @@ using System.Text.RegularExpressions;
 using System.Xml.Linq;
 using Nowpose.Cli.Figures;
 using Nowpose.Cli.Messages;
+using Nowpose.Cli.Studies;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli.Figures;
