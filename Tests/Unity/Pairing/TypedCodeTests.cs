@@ -126,6 +126,14 @@ public class TypedCodeTests
         return pairing;
     }
 
+    void PairSecond(CellPairing pairing, MrilSession session, string code)
+    {
+        pairing.ReadCode(code);
+        _played.Cell.Frame(session);
+        pairing.Accept();
+        _played.Cell.Frame(session);
+    }
+
     // Objects of a scene that is loaded additively, or kept by DontDestroyOnLoad, are in another scene.
     [TestCase(false)]
     [TestCase(true)]
@@ -154,22 +162,15 @@ public class TypedCodeTests
         var pairing = AddSecond(out var second);
         Pair(Desk);
         UnityEngine.Object.DestroyImmediate(_played.Session.gameObject);
-        void PairSecond(string code)
-        {
-            pairing.ReadCode(code);
-            _played.Cell.Frame(second);
-            pairing.Accept();
-            _played.Cell.Frame(second);
-        }
 
-        PairSecond(Bench);
+        PairSecond(pairing, second, Bench);
         Assert.That(pairing.Problem, Is.Not.Null);
         Assert.That(File.ReadAllText(_played.FilePath), Does.Contain("desk").And.Not.Contain("bench"));
 
         pairing.enabled = false;
         pairing.enabled = true;
         Assert.That(pairing.Problem, Is.Null);
-        PairSecond(Bench);
+        PairSecond(pairing, second, Bench);
         Assert.That(pairing.Problem, Is.Null);
         Assert.That(File.ReadAllText(_played.FilePath), Does.Contain("desk").And.Contain("bench"));
     }
@@ -182,10 +183,7 @@ public class TypedCodeTests
 
         _played.Pairing.enabled = false;
         _played.Pairing.enabled = true;
-        pairing.ReadCode(Bench);
-        _played.Cell.Frame(second);
-        pairing.Accept();
-        _played.Cell.Frame(second);
+        PairSecond(pairing, second, Bench);
 
         Assert.That(File.ReadAllText(_played.FilePath), Does.Contain("desk").And.Not.Contain("bench"));
         Pair(Press);

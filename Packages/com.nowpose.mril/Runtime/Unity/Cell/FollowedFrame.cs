@@ -181,7 +181,9 @@ namespace Nowpose.Unity.Cell
         // The time is that of the first frame with this reason, so that it does not change with each pose that arrives.
         void KeepHeld(PoseState state)
         {
-            if (SettledState != PoseState.Held) _held = default;
+            // A ghost is not listed.
+            if (_isGhost) return;
+            if (_settled.Over(state) != PoseState.Held) _held = default;
             if (state != PoseState.Held) return;
             var fault = FaultIn(state);
             if (fault != _held.Fault || !_held.Since.HasValue) _held = (fault, FaultSince);

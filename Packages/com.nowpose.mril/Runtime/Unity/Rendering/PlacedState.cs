@@ -30,11 +30,7 @@ namespace Nowpose.Unity.Rendering
         /// </summary>
         public static PlacedState Of(Transform parts, DisplayFrame frame, MrilSession source)
         {
-            for (var at = parts; at != null; at = at.parent)
-            {
-                if (RigAt(at) is RobotRig rig) return Of(rig, frame);
-                if (at.TryGetComponent<ICellObject>(out var shown)) return Of(shown);
-            }
+            if (IsMoved(parts, out var rig, out var shown)) return rig is object ? Of(rig, frame) : Of(shown);
             var state = IsOfSignal(parts) && source.Session != null ? source.Session.Frames.SettledStateOfTime : source.StateIn(frame);
             return new PlacedState(state, Above(parts));
         }
@@ -48,12 +44,17 @@ namespace Nowpose.Unity.Rendering
         }
 
         /// <summary>Returns whether the nearest object, rig or gripper at or above a transform shows the newest samples.</summary>
-        public static bool IsUncompensated(Transform parts)
+        public static bool IsUncompensated(Transform parts) => IsMoved(parts, out var rig, out var shown)
+            && (rig is object ? rig.Shows == RigPose.Held : shown is TrackedObject tracked && tracked.Shows == RigPose.Held);
+
+        // Gets the nearest rig or object at or above a transform: a rig also at its gripper. One of the two is null.
+        static bool IsMoved(Transform parts, out RobotRig rig, out ICellObject shown)
         {
+            (rig, shown) = (null, null);
             for (var at = parts; at != null; at = at.parent)
             {
-                if (RigAt(at) is RobotRig rig) return rig.Shows == RigPose.Held;
-                if (at.TryGetComponent<ICellObject>(out var shown)) return shown is TrackedObject tracked && tracked.Shows == RigPose.Held;
+                rig = RigAt(at);
+                if (rig is object || at.TryGetComponent(out shown)) return true;
             }
             return false;
         }

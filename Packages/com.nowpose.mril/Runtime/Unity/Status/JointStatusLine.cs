@@ -33,21 +33,18 @@ namespace Nowpose.Unity.Status
 
         /// <summary>Returns the line; null if the list is empty.</summary>
         /// <param name="statistics">Statistics of the session; null if no session exists.</param>
-        public string Of(SessionStatistics statistics) => statistics == null ? Of(Array.Empty<JointStatus>(), 0, false)
-            : Of(statistics.JointStatuses, statistics.Samples, IsHeld(statistics.SettledPose, statistics.IsSettledLimitedByBase));
+        public string Of(SessionStatistics statistics) => Of(statistics?.OwnRobot);
 
         /// <inheritdoc cref="Of(SessionStatistics)"/>
-        public string Of(RobotStatistics robot) => Of(robot.JointStatuses, robot.Samples, IsHeld(robot.SettledPose, robot.IsSettledLimitedByBase));
-
-        static bool IsHeld(PoseState settled, bool isLimitedByBase) => settled == PoseState.Held && !isLimitedByBase;
-
-        // While the pose looks held, joints whose samples come near the horizon cap have data in some frames only. Their line must not flash, and its
-        // time must not change with each sample.
-        string Of(IReadOnlyList<JointStatus> joints, long samples, bool isHeld)
+        /// <param name="robot">State of a robot; null if there is none.</param>
+        public string Of(RobotStatistics robot)
         {
+            // While the pose looks held, joints whose samples come near the horizon cap have data in some frames only. Their line must not flash, and
+            // its time must not change with each sample.
+            var isHeld = robot != null && robot.SettledPose == PoseState.Held && !robot.IsSettledLimitedByBase;
             _chosen.Clear();
-            for (var i = 0; i < joints.Count; i++)
-                if (IsDescribed(joints[i], samples)) _chosen.Add(joints[i]);
+            for (var i = 0; i < (robot?.JointStatuses.Count ?? 0); i++)
+                if (IsDescribed(robot.JointStatuses[i], robot.Samples)) _chosen.Add(robot.JointStatuses[i]);
             if (IsSame(isHeld) || (isHeld && _isOfMissing && _chosen.Count == 0)) return _text;
             _described.Clear();
             _described.AddRange(_chosen);
