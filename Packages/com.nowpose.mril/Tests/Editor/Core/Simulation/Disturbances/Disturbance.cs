@@ -110,5 +110,7 @@ namespace Nowpose.Tests.Core.Simulation.Disturbances
         /// <summary>Returns a disturbance that is active at a given time; null if there is none.</summary>
         public static Disturbance Active(this List<Disturbance> disturbances, DisturbanceKind kind, double time) =>
             disturbances.Find(one => one.IsActive(kind, time));
+
+        public static bool Has(this List<Disturbance> disturbances, DisturbanceKind kind, double time) => disturbances.Active(kind, time) != null;
     }
 }

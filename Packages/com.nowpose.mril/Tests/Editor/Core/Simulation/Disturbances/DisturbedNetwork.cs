@@ -42,13 +42,13 @@ namespace Nowpose.Tests.Core.Simulation.Disturbances
         public void Send(double time, Action<HeadsetTime> message)
         {
             var sent = time + MinDelay + DelayRange * _random.NextDouble() + (_disturbances.Active(DisturbanceKind.Delay, time)?.Size ?? 0);
-            if (_disturbances.Active(DisturbanceKind.SwappedPairs, time) != null && _heldBack == null)
+            if (_disturbances.Has(DisturbanceKind.SwappedPairs, time) && _heldBack == null)
             {
                 _heldBack = (message, sent);
                 return;
             }
             Enqueue(sent, message);
-            if (_disturbances.Active(DisturbanceKind.Duplicates, time) != null) Enqueue(sent, message);
+            if (_disturbances.Has(DisturbanceKind.Duplicates, time)) Enqueue(sent, message);
             if (_heldBack is var (former, before)) Enqueue(before, former);
             _heldBack = null;
         }
@@ -56,7 +56,7 @@ namespace Nowpose.Tests.Core.Simulation.Disturbances
         /// <summary>Delivers everything that has arrived.</summary>
         public void Run(double now)
         {
-            Connect(isConnected: _disturbances.Active(DisturbanceKind.LostConnection, now) == null, now);
+            Connect(isConnected: !_disturbances.Has(DisturbanceKind.LostConnection, now), now);
             while (_sent.Count > 0 && _sent.Peek().Arrival <= now)
             {
                 var (arrival, deliver) = _sent.Dequeue();
@@ -73,7 +73,7 @@ namespace Nowpose.Tests.Core.Simulation.Disturbances
 
         void Enqueue(double sent, Action<HeadsetTime> message)
         {
-            if (_disturbances.Active(DisturbanceKind.LostConnection, sent) != null) return;
+            if (_disturbances.Has(DisturbanceKind.LostConnection, sent)) return;
             _inOrder = Math.Max(_inOrder, Released(sent + _samples.Next().TotalSeconds));
             _sent.Enqueue((_inOrder, message));
         }
@@ -110,7 +110,7 @@ namespace Nowpose.Tests.Core.Simulation.Disturbances
             _replied = Released(arrived + _down.Next().TotalSeconds);
             _exchange = new SyncExchange(
                 _clock.HeadsetAt(_begun), _clock.ControlAt(arrived), _clock.ControlAt(arrived), _clock.HeadsetAt(_replied),
-                serverSynchronised: _disturbances.Active(DisturbanceKind.UnsynchronisedServer, arrived) == null);
+                serverSynchronised: !_disturbances.Has(DisturbanceKind.UnsynchronisedServer, arrived));
         }
     }
 }

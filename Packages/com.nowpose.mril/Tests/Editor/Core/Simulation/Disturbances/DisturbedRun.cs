@@ -90,22 +90,23 @@ namespace Nowpose.Tests.Core.Simulation.Disturbances
 
         void Sample(double time)
         {
-            if (!Is(DisturbanceKind.SilentJoints, time))
+            if (!_disturbances.Has(DisturbanceKind.SilentJoints, time))
             {
-                var joints = Is(DisturbanceKind.SomeJoints, time) ? 2 : _cell.JointNames.Length;
-                var message = Is(DisturbanceKind.RepeatedJoints, time) ? _newest : new JointStateMessage(
+                var joints = _disturbances.Has(DisturbanceKind.SomeJoints, time) ? 2 : _cell.JointNames.Length;
+                var isRepeated = _disturbances.Has(DisturbanceKind.RepeatedJoints, time);
+                var message = isRepeated ? _newest : new JointStateMessage(
                     _clock.ControlAt(time), _cell.JointNames.Take(joints).ToArray(), _cell.Joints(time).Take(joints).ToArray());
                 _newest = message;
                 _network.Send(time, at =>
                 {
                     _session.Listener.Received(message, at);
-                    if (message.Stamp == _clock.ControlAt(time) && joints > 2) _newestTool = Math.Max(_newestTool, time);
+                    if (!isRepeated && joints > 2) _newestTool = Math.Max(_newestTool, time);
                 });
             }
-            if (Is(DisturbanceKind.SilentObjects, time)) return;
+            if (_disturbances.Has(DisturbanceKind.SilentObjects, time)) return;
             var (stamp, part) = (_clock.ControlAt(time), _cell.PartOnCarrier(time, out var carrier));
             var cart = _cell.World(DisturbedCell.Cart, time);
-            if (Is(DisturbanceKind.UnknownParent, time)) carrier = "unknown";
+            if (_disturbances.Has(DisturbanceKind.UnknownParent, time)) carrier = "unknown";
             _network.Send(time, at =>
             {
                 var message = new TransformsMessage(
@@ -114,8 +115,6 @@ namespace Nowpose.Tests.Core.Simulation.Disturbances
                 _newestObjects = Math.Max(_newestObjects, time);
             });
         }
-
-        bool Is(DisturbanceKind kind, double time) => _disturbances.Active(kind, time) != null;
 
         void Check(DisplayFrame frame, double now, bool isCalm)
         {

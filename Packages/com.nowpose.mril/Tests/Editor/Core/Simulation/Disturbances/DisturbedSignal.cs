@@ -39,7 +39,7 @@ namespace Nowpose.Tests.Core.Simulation.Disturbances
             if (newest >= 0) Delivery(newest, session)(at);
         }
 
-        /// <summary>Returns whether a value may be visible: the newest delivered one at the display time, or up to two frames before or after.</summary>
+        /// <summary>Returns whether a value may be visible: the newest delivered one, at the display time or up to two frames before or after.</summary>
         public bool MayBe(double value, double light)
         {
             foreach (var time in new[] { light - 0.03, light, light + 0.03 })
