@@ -38,7 +38,7 @@ export class Overall {
   }
 
   /**
-   * @param condition Start of the text, whose changes screen readers speak. While all is well, it has no counts, because they change often.
+   * @param condition Start of the text, whose changes a screen reader reads out. It contains no counts while the state is OK, because they change often.
    */
   private setLine(level: Level | 'unknown', text: string, condition = text): void {
     this.line.className = `level ${level}`;

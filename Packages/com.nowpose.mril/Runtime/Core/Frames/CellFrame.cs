@@ -183,8 +183,8 @@ namespace Nowpose.Frames
 
         /// <summary>
         /// Changes to the parent of the waiting poses, or to the place that a gripper determines. With another parent, the history starts again
-        /// with these poses, and a displayed pose that is current continues from <see cref="World"/>, which must have been computed with the former parent
-        /// for the next display time.
+        /// with these poses, and a displayed pose that is current continues from <see cref="World"/>, which must have been computed with the former
+        /// parent for the next display time.
         /// </summary>
         public void ChangeParent(ControlTime epoch)
         {

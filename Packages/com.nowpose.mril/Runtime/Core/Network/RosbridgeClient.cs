@@ -84,8 +84,8 @@ namespace Nowpose.Network
         }
 
         /// <summary>
-        /// Ends a connection that has been silent for longer than <see cref="ProtocolLimits.MaxSilence"/>, because the gateway responds to another connection: after a gap
-        /// of the network, TCP sends lost data again only after a time that may be as long as the gap.
+        /// Ends a connection that has been silent for longer than <see cref="ProtocolLimits.MaxSilence"/>, because the gateway responds to another
+        /// connection: after a gap of the network, TCP sends lost data again only after a time that may be as long as the gap.
         /// </summary>
         public bool EndIfSilent() => Silence > ProtocolLimits.MaxSilence && _silent != null && _silent.TrySetResult(true);
 

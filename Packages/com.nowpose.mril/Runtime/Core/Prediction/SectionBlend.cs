@@ -28,8 +28,8 @@ namespace Nowpose.Prediction
         double _from, _timeConstant;
         bool _isActive;
 
-        // Last display time, and the time of the newest sample of the section that was displayed at this time; negative infinity if nothing was displayed, or
-        // a held position.
+        // Last display time, and the time of the newest sample of the section that was displayed at this time; negative infinity if nothing was
+        // displayed, or a held position.
         double _lastDisplayed, _displayedSection;
 
         /// <param name="components">Number of components of the displayed value.</param>

@@ -57,8 +57,8 @@ namespace Nowpose.Protocol
         public static readonly TimeSpan PingInterval = TimeSpan.FromSeconds(2);
 
         /// <summary>
-        /// Silence of a WebSocket after which data may be lost. A working one is silent for less, because after <see cref="PingInterval"/> the headset asks
-        /// the gateway for a response, together with the diagnostics of each second.
+        /// Silence of a WebSocket after which data may be lost. A working one is silent for less, because after <see cref="PingInterval"/> the headset
+        /// asks the gateway for a response, together with the diagnostics of each second.
         /// </summary>
         public static readonly TimeSpan MaxSilence = TimeSpan.FromMilliseconds(3500);
 

@@ -3,8 +3,8 @@ using System;
 namespace Nowpose.Sync
 {
     /// <summary>
-    /// Clock for the display. Follows the synchroniser's model, and spreads a correction over the next frames, so that time does not go back. A step of a
-    /// clock, and a correction of more than a second, take effect at once. Use it only on the thread that computes the frames; allocates nothing.
+    /// Clock for the display. Follows the synchroniser's model, and spreads a correction over the next frames, so that time does not go back. A step
+    /// of a clock, and a correction of more than a second, take effect at once. Use it only on the thread that computes the frames; allocates nothing.
     /// </summary>
     /// <remarks>
     /// Control time advances at 0.994 to 1.006 times the rate of headset time while the clock is synchronised, at 0.949 to 1.051 times while
@@ -34,8 +34,8 @@ namespace Nowpose.Sync
         static readonly TimeSpan MaxUsableCorrection = ClockSettings.Default.CoarseError;
 
         /// <summary>
-        /// Minimum correction that takes effect at once. The first offset after a sleep is wrong by half of the sleep if the reply to its exchange was read only
-        /// then: spreading its correction over the frames would take as long as the sleep.
+        /// Minimum correction that takes effect at once. The first offset after a sleep is wrong by half of the sleep if the reply to its exchange was
+        /// read only then: spreading its correction over the frames would take as long as the sleep.
         /// </summary>
         static readonly TimeSpan MinJump = TimeSpan.FromSeconds(1);
 
@@ -44,8 +44,8 @@ namespace Nowpose.Sync
         bool _isCatchingUp;
 
         /// <summary>
-        /// Whether the times of the newest and the previous frame cannot be compared: the clock stepped, was corrected by more than a second, or became known or
-        /// unknown.
+        /// Whether the times of the newest and the previous frame cannot be compared: the clock stepped, was corrected by more than a second, or became
+        /// known or unknown.
         /// </summary>
         internal bool IsRestarted { get; private set; }
 

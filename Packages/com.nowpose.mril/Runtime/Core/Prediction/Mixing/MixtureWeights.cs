@@ -60,8 +60,8 @@ namespace Nowpose.Prediction.Mixing
         public double[] Values { get; }
 
         /// <summary>
-        /// Sum of the weights of all errors so far: 0 at first, and after several time constants of the forgetting factor 1 for a joint, and 0.53 for an
-        /// object, the mean of the shares of the errors.
+        /// Sum of the weights of all errors so far: 0 at first, and after several time constants of the forgetting factor 1 for a joint, and 0.53 for
+        /// an object, the mean of the shares of the errors.
         /// </summary>
         public double Evidence { get; private set; }
 
@@ -92,8 +92,8 @@ namespace Nowpose.Prediction.Mixing
         /// determine the weights.
         /// </param>
         /// <param name="square">
-        /// Mean square of the displacement within one horizon, per component. If it is n times the mean square error of hold, the evidence for so fast a motion
-        /// is one n-th: the weights from noise at rest would hold an object that starts to move.
+        /// Mean square of the displacement within one horizon, per component. If it is n times the mean square error of hold, the evidence for so fast a
+        /// motion is one n-th: the weights from noise at rest would hold an object that starts to move.
         /// </param>
         public void Solve(double[] prior, double priorEvidence, double square)
         {

@@ -15,8 +15,9 @@ namespace Nowpose.Prediction.Mixing
         const int Capacity = 96;
 
         /// <summary>
-        /// Weight of the errors of an object's other components, relative to those of the component itself: all have the same kind of motion, but some may only
-        /// have noise. With 1, the errors of real trackers are 2.5 % (position) and 4 % (rotation) larger; with 0, those of first turns are 4 % larger.
+        /// Weight of the errors of an object's other components, relative to those of the component itself: all have the same kind of motion, but some
+        /// may only have noise. With 1, the errors of real trackers are 2.5 % (position) and 4 % (rotation) larger; with 0, those of first turns are 4 %
+        /// larger.
         /// </summary>
         const double OtherComponents = 0.3;
 

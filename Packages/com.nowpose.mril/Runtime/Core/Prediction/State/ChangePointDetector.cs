@@ -66,7 +66,7 @@ namespace Nowpose.Prediction.State
             _formerSince = SamplesSince;
             if (motion.IsPreviousWrong || motion.HasJumped) (_acceleration, _speed) = (0, 0);
             UpdateMaxima(motion.IsUnconfirmed, forgettingFactor);
-            // The displacement over a gap or a jump is no velocity.
+            // The displacement over a gap or a jump is not a velocity.
             if (motion.Connected < 2) (SamplesSince, IsSteady, _wasSteady) = (int.MaxValue, false, false);
             else Compare(motion);
         }
