@@ -170,7 +170,7 @@ namespace Nowpose.Frames
             if (!_pipeline.Admit(sample)) return;
             if (_pipeline.IsEmpty)
                 foreach (var blend in _blends) blend.Reset();
-            var (isBlended, before) = (_blends[Position].IsNeeded(displayed) && !_pipeline.IsEmpty, NewestTime);
+            var (isBlended, before) = (_blends[Position].IsNeeded(displayed) && !_pipeline.IsEmpty, _pipeline.NewestTime);
             Span<double> residuals = stackalloc double[Parts * Components];
             var place = isBlended ? _pipeline.PlaceOf(displayed) : default;
             for (var i = 0; i < residuals.Length && isBlended; i++) residuals[i] = At(i / Components, i % Components, displayed, place);

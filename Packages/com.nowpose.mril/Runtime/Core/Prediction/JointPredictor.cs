@@ -133,7 +133,7 @@ namespace Nowpose.Prediction
         {
             var isNewest = _pipeline.HasNewestOrder(sample);
             if (!_pipeline.Admit(sample)) return;
-            var (shown, before) = (ShownAt(displayed), NewestTime);
+            var (shown, before) = (ShownAt(displayed), _pipeline.NewestTime);
             // Assumes the shorter way round between two samples more than half a turn apart.
             var turns = _limits.IsEndless && !_pipeline.IsEmpty ? WholeTurns(_newest + _turns - sample.Position) : 0;
             var unwrapped = turns == 0 ? sample

@@ -91,6 +91,20 @@ namespace Nowpose.Tests.Core.Prediction
             Assert.That(blended.Show(time).Position, Is.EqualTo(bare.At(time).Position).And.GreaterThan(held.Position + 0.1));
         }
 
+        // Thinning leaves out every second sample, also the newest, so the position is held although the cap after the newest sample is not reached.
+        [Test]
+        public void At_FirstSampleAfterAHeldPositionAndASampleLeftOut_IsNotBlended()
+        {
+            var bare = Predictors.Create("adaptive", Limits);
+            var blended = new DisplayedJoint(Predictors.Create("adaptive", Limits, TimeConstant));
+            for (var i = 101; i >= 0; i--) Add(blended, bare, 1 - i * 0.005, 1 - i * 0.005);
+            Assert.That(blended.Show(1 + Limits.HorizonCap - 0.002).Kind, Is.EqualTo(PredictionKind.Held));
+            Add(blended, bare, 1.25, 0.9);
+
+            var time = 1 + Limits.HorizonCap - 0.002 + Frame;
+            Assert.That(blended.Show(time).Position, Is.EqualTo(bare.At(time).Position).Within(1e-12));
+        }
+
         // The plan is offset from the predicted position. The test reads the displayed position at very short intervals. Its speed must not exceed
         // the speed of the motion plus that of the blend.
         [TestCase(1.2, 0.02, TestName = "Follow_PlanInTheFuture_StartsAndEndsWithoutAJump")]
