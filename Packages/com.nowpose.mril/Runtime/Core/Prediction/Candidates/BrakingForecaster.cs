@@ -90,7 +90,7 @@ namespace Nowpose.Prediction.Candidates
 
         bool TryFind()
         {
-            var (interval, newest) = (-_motion.Times[1] / _history.Step, _motion.DisplacementAt(0));
+            var (interval, newest) = (-_motion.Times[1] / _history.Step, _motion.DistanceFromPrevious(0));
             double slower = _history.IndexOf(_start) - interval, faster = _history.IndexOf(_maxSpeedAt) - interval;
             for (var i = 0; i < Bisections; i++)
             {
@@ -135,6 +135,6 @@ namespace Nowpose.Prediction.Candidates
         double Displacement(int age, int component) =>
             _motion.Displacements[age * _components + component] - _motion.Displacements[(age + 1) * _components + component];
 
-        double Speed(int age) => _motion.DisplacementAt(age) / (_motion.Times[age] - _motion.Times[age + 1]);
+        double Speed(int age) => _motion.DistanceFromPrevious(age) / (_motion.Times[age] - _motion.Times[age + 1]);
     }
 }

@@ -36,8 +36,8 @@ namespace Nowpose.Prediction.Candidates
         public void Fill(double[] table, int points, int components) => _forecaster.Fill(table, 0, points, components);
 
         /// <inheritdoc cref="CandidateGate.Score"/>
-        public void Score(double error, double mixture, double displacement, bool wasStill, double time) =>
-            _gate.Score(error, mixture, displacement, wasStill, time);
+        public void Score(double error, double mixtureError, double displacement, bool wasStill, double time) =>
+            _gate.Score(error, mixtureError, displacement, wasStill, time);
 
         public void Reset()
         {
@@ -107,22 +107,22 @@ namespace Nowpose.Prediction.Candidates
 
         /// <summary>Scores a forecast against the sample at the forecast time.</summary>
         /// <param name="error">Error of the candidate.</param>
-        /// <param name="mixture">Error of the mixture.</param>
+        /// <param name="mixtureError">Error of the mixture.</param>
         /// <param name="displacement">The larger of the true and the forecast displacement.</param>
         /// <param name="wasStill">Whether the joint stood still when the forecast was made.</param>
         /// <param name="time">Time of the sample, in s.</param>
-        public void Score(double error, double mixture, double displacement, bool wasStill, double time)
+        public void Score(double error, double mixtureError, double displacement, bool wasStill, double time)
         {
             // At rest, every forecast is correct.
             if (displacement == 0) return;
             // An overflow must not enter the sums.
-            if (!(error * error + mixture * mixture + displacement * displacement < double.PositiveInfinity)) return;
+            if (!(error * error + mixtureError * mixtureError + displacement * displacement < double.PositiveInfinity)) return;
             ref var record = ref wasStill ? ref _still : ref _moving;
             // The stamp of the previous score may have been wrong.
             var elapsed = Math.Max(time - record.Time, 0) / TimeConstant;
             var forgettingFactor = record.Scores == 0 ? 0 : Math.Exp(-(wasStill ? elapsed : Math.Min(elapsed, 1)));
             record.Candidate = forgettingFactor * record.Candidate + error * error;
-            record.Mixture = forgettingFactor * record.Mixture + mixture * mixture;
+            record.Mixture = forgettingFactor * record.Mixture + mixtureError * mixtureError;
             record.Displacement = forgettingFactor * record.Displacement + displacement * displacement;
             record.Time = time;
             record.Scores = Math.Min(record.Scores, MinScores) + 1;

@@ -21,7 +21,7 @@ namespace Nowpose.Prediction.Candidates
         const double MinLag = 0.6e-3;
 
         /// <summary>
-        /// Maximum distance of a sample from its move, relative to the recent maximum displacement between two samples. It allows for noise and for
+        /// Maximum distance of a sample from its move, relative to the displacement in an interval at the maximum speed. It allows for noise and for
         /// the drive's following error; the gate rejects a profile that fits although it is wrong.
         /// </summary>
         const double ToleranceRatio = 0.02;

@@ -16,9 +16,9 @@ namespace Nowpose.Prediction.Candidates
     sealed class TemplateForecaster : Forecaster
     {
         /// <summary>
-        /// Duration of the newest motion that is compared with the history, in s. Within a shorter window, a straight line matches many positions; a
-        /// longer window includes more of the preceding rest, whose duration varies. With 0.2 s, the errors on recordings are 1.6 % larger; with 0.8 s,
-        /// those of simulated motions 1.0 %.
+        /// Duration of the newest motion that is compared with the history, in s; shorter if the kept samples do not reach so far. Within a shorter
+        /// window, a straight line matches many positions; a longer window includes more of the preceding rest, whose duration varies. With 0.2 s, the
+        /// errors on recordings are 1.6 % larger; with 0.8 s, those of simulated motions 1.0 %.
         /// </summary>
         const double Window = 0.4;
 
@@ -151,7 +151,7 @@ namespace Nowpose.Prediction.Candidates
             var full = 1;
             while (full < _motion.Count && -_motion.Times[full] <= Window) full++;
             var moving = 0;
-            while (moving + 1 < full && _motion.DisplacementAt(moving) > _motion.StillDistance) moving++;
+            while (moving + 1 < full && _motion.DistanceFromPrevious(moving) > _motion.StillDistance) moving++;
             return moving < MinMoving ? full : Math.Min(full, moving + 2);
         }
 

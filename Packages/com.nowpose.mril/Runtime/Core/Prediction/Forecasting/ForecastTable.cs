@@ -26,22 +26,22 @@ namespace Nowpose.Prediction.Forecasting
         /// <summary>Limits the forecast of a joint to the drive's maximum speed and maximum acceleration.</summary>
         /// <param name="table">Table with one component, which is changed in place.</param>
         /// <param name="points">Number of points of the table that are used.</param>
-        /// <param name="speed">Mean speed over the interval before the newest sample; smaller after a stop or a jump.</param>
+        /// <param name="velocity">Mean velocity in the interval before the newest sample, per second; smaller after a stop or a jump.</param>
         /// <param name="interval">Interval before the newest sample, in s.</param>
-        public static void LimitToDrive(double[] table, int points, double speed, double interval, PredictionLimits limits)
+        public static void LimitToDrive(double[] table, int points, double velocity, double interval, PredictionLimits limits)
         {
             if (double.IsInfinity(limits.Velocity) && double.IsInfinity(limits.Acceleration)) return;
             // If the observed speed exceeds the limit, the observed speed applies, because URDFs can be wrong.
-            var max = Math.Max(limits.Velocity, Math.Abs(speed));
+            var max = Math.Max(limits.Velocity, Math.Abs(velocity));
             var wanted = table[0];
             for (var i = 1; i < points; i++)
             {
                 var displacement = table[i] - wanted;
                 wanted = table[i];
-                // The mean speed is the speed at the middle of the last interval, and the speed in a cell is the speed at the middle of the cell.
+                // The mean velocity is the velocity at the middle of the last interval, and that of a cell is the velocity at its middle.
                 var change = limits.Acceleration * (interval / 2 + (i - 0.5) * Step);
-                var slowest = Math.Max(-max, speed - change);
-                var fastest = Math.Min(max, speed + change);
+                var slowest = Math.Max(-max, velocity - change);
+                var fastest = Math.Min(max, velocity + change);
                 table[i] = table[i - 1] + Math.Min(Math.Max(displacement, slowest * Step), fastest * Step);
             }
         }

@@ -11,7 +11,7 @@ namespace Nowpose.Prediction.Forecasting
     /// linear trend of large variance. The mean at a given time is the weighted sum of the samples' positions with the weights K⁻¹k, where K is the
     /// covariance of the samples and k their covariance with the position at that time (Eq. 2.25 there). Intervals may be uneven.
     /// </remarks>
-    sealed class GaussianProcess : WeightedSumForecaster
+    sealed class GaussianProcess : LinearSmoother
     {
         /// <summary>
         /// l, in s: the correlation length of the motion. Among the values from 0.4 to 2 s, this one is best for moves without noise. With 0.4 s, the
@@ -43,7 +43,7 @@ namespace Nowpose.Prediction.Forecasting
         readonly double[] _decays = new double[SampleCount];
         readonly double[] _matrix = new double[SampleCount * SampleCount];
 
-        /// <param name="stopsAtReversal">See <see cref="WeightedSumForecaster"/>.</param>
+        /// <param name="stopsAtReversal">See <see cref="LinearSmoother"/>.</param>
         public GaussianProcess(bool stopsAtReversal = false) : base(SampleCount, stopsAtReversal) { }
 
         /// <summary>Returns the variance of the position, relative to the variance of the motion about its trend.</summary>

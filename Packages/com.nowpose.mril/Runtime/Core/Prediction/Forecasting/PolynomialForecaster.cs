@@ -9,7 +9,7 @@ namespace Nowpose.Prediction.Forecasting
     /// normal equations, this does not square the condition number. For fewer than h + 1 samples, or coinciding times, the degree is the highest that the
     /// samples determine.
     /// </remarks>
-    sealed class PolynomialForecaster : WeightedSumForecaster
+    sealed class PolynomialForecaster : LinearSmoother
     {
         /// <summary>Maximum h: limits memory and time per sample. At 100 Hz, the polynomial spans one second.</summary>
         public const int MaxHistory = 100;
@@ -43,7 +43,7 @@ namespace Nowpose.Prediction.Forecasting
 
         /// <param name="degree">n, 0 to 3.</param>
         /// <param name="history">h, the number of samples used in addition to the newest one; n to 100.</param>
-        /// <param name="stopsAtReversal">See <see cref="WeightedSumForecaster"/>.</param>
+        /// <param name="stopsAtReversal">See <see cref="LinearSmoother"/>.</param>
         /// <exception cref="ArgumentOutOfRangeException">Degree or history is outside its range.</exception>
         public PolynomialForecaster(int degree, int history, bool stopsAtReversal = false) : base(Checked(degree, history) + 1, stopsAtReversal)
         {

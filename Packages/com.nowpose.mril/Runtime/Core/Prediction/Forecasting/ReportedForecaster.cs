@@ -10,7 +10,8 @@ namespace Nowpose.Prediction.Forecasting
     sealed class ReportedForecaster : Forecaster
     {
         readonly Forecaster _otherwise;
-        double _speed, _bend, _stop;
+        // Reported velocity, half of the acceleration, and the time of the vertex, in s after the newest sample.
+        double _velocity, _halfAcceleration, _stop;
         bool _isReported;
 
         public ReportedForecaster(Forecaster otherwise) => _otherwise = otherwise;
@@ -25,10 +26,11 @@ namespace Nowpose.Prediction.Forecasting
         {
             _isReported = IsReported(motion);
             if (!_isReported) return _otherwise.Solve(motion);
-            _speed = motion.ReportedVelocity;
+            _velocity = motion.ReportedVelocity;
             // Without an acceleration, the mean speed in the last interval determines the second derivative.
-            _bend = double.IsNaN(motion.ReportedAcceleration) ? (_speed - motion.Velocity[0]) / motion.Interval : motion.ReportedAcceleration / 2;
-            _stop = _speed * _bend < 0 ? -_speed / (2 * _bend) : double.PositiveInfinity;
+            _halfAcceleration = double.IsNaN(motion.ReportedAcceleration)
+                ? (_velocity - motion.Velocity[0]) / motion.Interval : motion.ReportedAcceleration / 2;
+            _stop = _velocity * _halfAcceleration < 0 ? -_velocity / (2 * _halfAcceleration) : double.PositiveInfinity;
             return true;
         }
 
@@ -36,7 +38,7 @@ namespace Nowpose.Prediction.Forecasting
         {
             if (!_isReported) return _otherwise.At(ahead, component);
             var x = Math.Min(ahead, _stop);
-            return x * (_speed + _bend * x);
+            return x * (_velocity + _halfAcceleration * x);
         }
 
         static bool IsReported(MotionState motion) => !double.IsNaN(motion.ReportedVelocity);

@@ -22,8 +22,8 @@ namespace Nowpose.Prediction.Mixing
 
         /// <param name="components">Number of components of the motions.</param>
         /// <param name="forecasters">
-        /// Forecasters in addition to hold and line, with their weights without evidence, 0 to 1: for samples without and with a velocity and
-        /// acceleration that the source reports. The line has the remaining weight.
+        /// Forecasters in addition to hold and line. Each has two weights, 0 to 1, that apply without evidence; the second one applies if the source
+        /// reports velocity and acceleration. The line has the remaining weight.
         /// </param>
         public ForecasterSet(int components, params (Forecaster Forecaster, double Prior, double PriorWhenReported)[] forecasters)
         {

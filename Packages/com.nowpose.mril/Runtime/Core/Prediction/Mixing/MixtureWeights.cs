@@ -88,12 +88,13 @@ namespace Nowpose.Prediction.Mixing
         /// <summary>Solves for the weights. Without evidence, they are the prior.</summary>
         /// <param name="prior">Weights towards which the solution is regularised.</param>
         /// <param name="priorEvidence">
-        /// Evidence (<see cref="Evidence"/>) at which the regularisation is twice the final one, so that the errors of the first samples alone do not
-        /// determine the weights.
+        /// Evidence as which the prior counts: at this <see cref="Evidence"/>, λ is twice its final value. Without it, the errors of the first samples
+        /// alone would determine the weights.
         /// </param>
         /// <param name="square">
-        /// Mean square of the displacement within one horizon, per component. If it is n times the mean square error of hold, the evidence for so fast a
-        /// motion is one n-th: the weights from noise at rest would hold an object that starts to move.
+        /// Mean square of the displacement within one horizon at the present speed, per component, in m² or rad². If it is n times the mean square error
+        /// of hold, the motion is faster than those that the weights have learned from, and their evidence counts one n-th. Otherwise, weights that were
+        /// learned from noise at rest would hold an object that starts to move.
         /// </param>
         public void Solve(double[] prior, double priorEvidence, double square)
         {

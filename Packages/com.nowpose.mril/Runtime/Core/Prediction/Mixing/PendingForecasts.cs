@@ -116,7 +116,8 @@ namespace Nowpose.Prediction.Mixing
                     differ |= positions[i] != line;
                 }
             }
-            // From a rest without noise, all forecasts are equal. Their error at a start would hide the differences between the forecasters for seconds.
+            // Equal forecasts, as from a rest without noise, do not show which forecaster is better. Their error at a start would only hide the
+            // differences for seconds.
             if (!differ) return;
             for (var learning = 0; learning < _components; learning++)
                 for (var c = 0; c < _components; c++)

@@ -57,9 +57,9 @@ namespace Nowpose.Prediction.Planning
 
         /// <summary>Compares the plan with a sample, and updates the estimates if the joint follows.</summary>
         /// <param name="time">Time of the sample, s.</param>
-        /// <param name="difference">Sample minus plan(t − <see cref="Delay"/>) − <see cref="Offset"/>.</param>
-        /// <param name="velocity">Velocity of the plan at this time.</param>
-        /// <param name="range">Range of the plan's positions.</param>
+        /// <param name="difference">Sample minus plan(t − <see cref="Delay"/>) − <see cref="Offset"/>, in rad or m.</param>
+        /// <param name="velocity">Velocity of the plan at this time, per second.</param>
+        /// <param name="range">Range of the plan's positions, in rad or m.</param>
         /// <returns>Verdict of the sample on whether the joint follows the plan.</returns>
         public PlanVerdict Add(double time, double difference, double velocity, double range)
         {

@@ -24,12 +24,19 @@ namespace Nowpose.Prediction.Samples
     /// Distinguishes samples that were overtaken on the network from samples whose clock went back.
     /// </summary>
     /// <remarks>
-    /// In both cases, the stamp is not newer than the newest stamp. If a sample of a clock that went back is mistaken for an overtaken sample, the
-    /// section is wrong; in the opposite case, all learned state is lost. Therefore up to four late samples wait. The next newer sample, or a late
-    /// sample that is not newer than the last waiting sample, shows that they were overtaken, and they are inserted, except samples whose positions
-    /// contradict their neighbours: their stamps are wrong. Their number, two contradictions, or two delays above <see cref="ArrivalLimits.MaxDelay"/> show
-    /// that they were not overtaken. If they are all newer than the sample before the newest, only the stamp of the newest was wrong. Otherwise the clock
-    /// went back, and the history restarts with all of them.
+    /// In both cases, the stamp of the sample is not newer than the newest one. Both mistakes are costly: a sample of another clock makes the section
+    /// wrong, and a restart discards all that was learned. Therefore up to four late samples wait for the next samples, which decide:
+    /// <list type="bullet">
+    /// <item><description>
+    /// They were overtaken if the next sample is newer than the newest one, or not newer than the last that waits. They are then inserted, except those
+    /// whose positions contradict their neighbours, because their stamps are wrong.
+    /// </description></item>
+    /// <item><description>
+    /// They were not overtaken if there are five, or two that contradict their neighbours, or two that are late by more than
+    /// <see cref="ArrivalLimits.MaxDelay"/>. If all of them are newer than the sample before the newest, only the newest stamp was wrong, and its sample is
+    /// discarded. Otherwise the clock went back, and the history restarts with them.
+    /// </description></item>
+    /// </list>
     /// </remarks>
     sealed class ArrivalOrder<TSample> where TSample : struct, ISample<TSample>
     {

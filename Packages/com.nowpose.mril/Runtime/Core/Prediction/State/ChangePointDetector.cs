@@ -4,11 +4,11 @@ namespace Nowpose.Prediction.State
 {
     /// <summary>Detects change points: samples at which a motion breaks off, so that earlier samples do not predict later ones.</summary>
     /// <remarks>
-    /// A window of samples across an emergency stop gives wrong forecasts. A change point is a change of velocity that is faster than all recent
-    /// changes; their maximum is forgotten with the time constant of the weights. If it increased the speed after noise, and the next sample confirms
-    /// the new speed, all samples are used again: the samples of a joint at rest do not impair the forecast of its start. While the velocity is
-    /// constant to rounding, each large change is a change point, even if earlier ones were faster: without noise, a conveyor or turntable that is
-    /// switched on moves at full speed at once.
+    /// Samples from before and after an emergency stop together give wrong forecasts. A change point is a change of velocity with a larger acceleration
+    /// than all recent changes, whose maximum is forgotten with the time constant of the weights. There are two exceptions. At a start, samples from
+    /// before it do no harm: if the speed has increased and the next sample confirms it, all samples are used again. After a velocity that is constant to
+    /// rounding, each large change is a change point, even if earlier ones were faster: without noise, a conveyor or turntable that is switched on moves
+    /// at full speed at once.
     /// </remarks>
     sealed class ChangePointDetector
     {
@@ -32,7 +32,7 @@ namespace Nowpose.Prediction.State
         const double MinSteadyChangeRatio = 0.5;
 
         /// <summary>
-        /// Maximum change of a constant velocity, relative to the maximum recent speed. Without the rule, turntables with abrupt starts had up to 1.3
+        /// Maximum change of a constant velocity, relative to the motion's maximum speed. Without the rule, turntables with abrupt starts had up to 1.3
         /// times the error of the line. With 1e-3, the errors on such motions are the same, but workpieces of a UR5, whose smooth moves are almost
         /// uniform at times, have up to 3.5 % larger errors.
         /// </summary>

@@ -21,7 +21,8 @@ namespace Nowpose.Prediction.State
         // Null if all samples are used.
         readonly PositionCheck _check;
 
-        // Time of the newest sample that was left out because its position is wrong, in s.
+        // Time of the newest sample that was left out because its position is wrong, in s. Earlier ones are used again: if all were left out, the errors
+        // with frequent wrong samples would be 1 % larger.
         double _wrongTime = double.NaN;
 
         bool _wasNewestForgotten;
@@ -58,7 +59,7 @@ namespace Nowpose.Prediction.State
         /// <inheritdoc cref="NewestTime"/>
         public double PreviousTime { get; private set; }
 
-        /// <summary>Position of the newest sample, and of the sample that was the newest before it.</summary>
+        /// <summary>Position of the newest sample, and of the sample that was the newest before it, in rad or m.</summary>
         public double[] Newest { get; }
 
         /// <inheritdoc cref="Newest"/>
@@ -78,14 +79,15 @@ namespace Nowpose.Prediction.State
         /// <summary>Times of the samples relative to the newest one, newest first, in s; not positive.</summary>
         public double[] Times { get; }
 
-        /// <summary>Positions of the samples relative to the newest one, newest first.</summary>
+        /// <summary>Positions of the samples relative to the newest one, newest first, in rad or m.</summary>
         public double[] Displacements { get; }
 
         /// <summary>Returns the time of the sample with this age, in s.</summary>
         public double TimeAt(int age) => NewestTime + Times[age];
 
-        /// <summary>Returns the distance of the sample with this age from the sample before it.</summary>
-        public double DisplacementAt(int age) => Vectors.Distance(Displacements, age * Components, Displacements, (age + 1) * Components, Components);
+        /// <summary>Returns the distance of the sample with this age from the sample before it, in rad or m.</summary>
+        public double DistanceFromPrevious(int age) =>
+            Vectors.Distance(Displacements, age * Components, Displacements, (age + 1) * Components, Components);
 
         /// <summary>Mean velocity in the interval before the newest sample, per second; 0 until there are two samples.</summary>
         public double[] Velocity { get; private set; }
@@ -108,8 +110,8 @@ namespace Nowpose.Prediction.State
 
         /// <summary>
         /// Whether the newest sample shows that the one before it was wrong: its position (<see cref="PositionCheck.IsPreviousWrong"/>), or its
-        /// stamp, which was in the future. It is left out from then on, so that all velocities are those of the other samples: it would reappear in a
-        /// forecast whenever the motion repeats. Counts of samples return to their values before it, and the forecasts from it are dropped.
+        /// stamp, which was in the future. It is left out until another one is wrong, so that all velocities are those of the other samples: it would
+        /// reappear in a forecast whenever the motion repeats. Counts of samples return to their values before it, and the forecasts from it are dropped.
         /// </summary>
         public bool IsPreviousWrong { get; private set; }
 

@@ -14,9 +14,8 @@ namespace Nowpose.Prediction.State
         Unconfirmed,
 
         /// <summary>
-        /// The displacement is not a velocity: the way of an object to another place, or of a joint back from wrong samples. The position is
-        /// displayed without extrapolation until the next sample, nothing is learned from the forecasts before, and later forecasts do not use
-        /// earlier samples.
+        /// The object is elsewhere at once, or the joint has returned from wrong samples. The position is displayed without extrapolation until the next
+        /// sample. Nothing is learned from the forecasts before, and later forecasts do not use earlier samples.
         /// </summary>
         Jumped
     }
@@ -37,7 +36,7 @@ namespace Nowpose.Prediction.State
         const double MinRatioThereAndBack = 1.5;
 
         /// <summary>Returns whether a motion has gone to the sample before the newest and back at a speed that it has never had.</summary>
-        /// <param name="speed">The smaller of the speeds in the last two intervals, which have opposite directions.</param>
+        /// <param name="speed">The smaller of the speeds in the last two intervals, per second; their directions are opposite.</param>
         public static bool IsPreviousWrong(MotionState motion, double speed) =>
             motion.Count > 2 && motion.MaxSpeed > 0 && speed > MinRatioThereAndBack * motion.MaxSpeed;
 

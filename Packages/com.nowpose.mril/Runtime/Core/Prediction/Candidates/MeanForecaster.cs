@@ -4,6 +4,28 @@ using Nowpose.Prediction.State;
 
 namespace Nowpose.Prediction.Candidates
 {
+    /// <summary>Forecasts the mean of the newest samples while they only scatter.</summary>
+    /// <remarks>
+    /// The other forecasters would amplify the noise. A slow motion that is hidden in the noise leaves the mean behind, for which the gate rejects
+    /// it.
+    /// </remarks>
+    sealed class MeanForecaster : Forecaster
+    {
+        readonly ScatterDetector _scatter;
+
+        public MeanForecaster(int components) => _scatter = new ScatterDetector(components);
+
+        public override bool Solve(MotionState motion)
+        {
+            _scatter.Add(motion.Displacements, motion.Connected);
+            return _scatter.Scatters;
+        }
+
+        public override double At(double ahead, int component) => _scatter.Mean[component];
+
+        public override void Reset() => _scatter.Reset();
+    }
+
     /// <summary>Detects that samples only scatter about a position, because an encoder or a tracker has noise.</summary>
     /// <remarks>
     /// For white noise, the mean second difference is √3 times the mean first difference, and the samples make no progress; a smooth motion has small
@@ -42,7 +64,7 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>Whether the newest samples only scatter; false for samples that do not differ.</summary>
         public bool Scatters { get; private set; }
 
-        /// <summary>Mean distance between consecutive samples that only scattered; 0 before them, and after a gap or a jump.</summary>
+        /// <summary>Mean distance between consecutive samples that only scattered, in rad or m; 0 before them, and after a gap or a jump.</summary>
         public double Noise { get; private set; }
 
         /// <summary>Mean of the newest samples, relative to the newest one; valid while they only scatter.</summary>
@@ -98,27 +120,5 @@ namespace Nowpose.Prediction.Candidates
             Noise += (meanStep - Noise) * (Noise > 0 ? Smoothing : 1);
             return true;
         }
-    }
-
-    /// <summary>Forecasts the mean of the newest samples while they only scatter.</summary>
-    /// <remarks>
-    /// The other forecasters would amplify the noise. A slow motion that is hidden in the noise leaves the mean behind, for which the gate rejects
-    /// it.
-    /// </remarks>
-    sealed class MeanForecaster : Forecaster
-    {
-        readonly ScatterDetector _scatter;
-
-        public MeanForecaster(int components) => _scatter = new ScatterDetector(components);
-
-        public override bool Solve(MotionState motion)
-        {
-            _scatter.Add(motion.Displacements, motion.Connected);
-            return _scatter.Scatters;
-        }
-
-        public override double At(double ahead, int component) => _scatter.Mean[component];
-
-        public override void Reset() => _scatter.Reset();
     }
 }

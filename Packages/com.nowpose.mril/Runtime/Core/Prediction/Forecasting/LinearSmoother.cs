@@ -4,10 +4,10 @@ using Nowpose.Prediction.State;
 namespace Nowpose.Prediction.Forecasting
 {
     /// <summary>
-    /// Forecasts a position as the weighted sum of the newest samples' positions. The weights depend only on the times of these samples, so motions that are
-    /// sampled together can share a forecaster, and the weights are computed once per message.
+    /// A linear smoother: forecasts a position as the weighted sum of the newest samples' positions. The weights depend only on the times of these samples,
+    /// so motions that are sampled together can share a forecaster, and the weights are computed once per message.
     /// </summary>
-    abstract class WeightedSumForecaster : Forecaster
+    abstract class LinearSmoother : Forecaster
     {
         /// <summary>
         /// Maximum difference of times that count as equal, in s: more than their rounding errors, and too short for a visible motion.
@@ -29,7 +29,7 @@ namespace Nowpose.Prediction.Forecasting
         /// <param name="stopsAtReversal">
         /// Whether <see cref="Fill"/> keeps the forecast constant after a reversal, because drives stop far more often than they reverse.
         /// </param>
-        protected WeightedSumForecaster(int samples, bool stopsAtReversal)
+        protected LinearSmoother(int samples, bool stopsAtReversal)
         {
             _stopsAtReversal = stopsAtReversal;
             Times = new double[samples];

@@ -5,7 +5,7 @@ using Nowpose.Prediction.State;
 
 namespace Nowpose.Tests.Core.Prediction.Forecasting
 {
-    public class WeightedSumForecasterTests
+    public class LinearSmootherTests
     {
         [TestCase("quadratic")]
         [TestCase("process")]
@@ -43,10 +43,10 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
             Assert.That(New(name).Solve(Motion(seed: 1, count)), Is.EqualTo(expected));
         }
 
-        static WeightedSumForecaster New(string name, bool stopsAtReversal = true) => name == "process"
-            ? (WeightedSumForecaster)new GaussianProcess(stopsAtReversal) : new PolynomialForecaster(2, 4, stopsAtReversal);
+        static LinearSmoother New(string name, bool stopsAtReversal = true) => name == "process"
+            ? (LinearSmoother)new GaussianProcess(stopsAtReversal) : new PolynomialForecaster(2, 4, stopsAtReversal);
 
-        static double[] Table(WeightedSumForecaster forecaster, MotionState motion)
+        static double[] Table(LinearSmoother forecaster, MotionState motion)
         {
             var table = new double[ForecastTable.Points];
             Assert.That(forecaster.Solve(motion));
