@@ -92,10 +92,10 @@ sealed class Preparation
     void JudgeVersions()
     {
         var usesMicrosoft = _settings.HasMrtk3 || _merge.VersionOf(ProjectNeeds.MixedRealityOpenXr.Name) != null;
-        var judged = UnityBounds.Judge(Project.Version, usesMicrosoft);
+        var judged = UnityVersionRatings.Judge(Project.Version, usesMicrosoft);
         if (judged.State == CheckState.Missing) throw new InputException($"{Project.VersionPath}: {UnityProjectMessages.Version(judged.Found)}");
-        if (_settings.HasMrtk3 && Project.Version.Number < UnityBounds.OldestForMrtk3)
-            throw new InputException(UnityProjectMessages.TooOldForMrtk3(Project.VersionPath, Project.Version, UnityBounds.OldestForMrtk3));
+        if (_settings.HasMrtk3 && Project.Version.Number < UnityVersionRatings.OldestForMrtk3)
+            throw new InputException(UnityProjectMessages.TooOldForMrtk3(Project.VersionPath, Project.Version, UnityVersionRatings.OldestForMrtk3));
         if (judged.State != CheckState.Good) _notes.Add(UnityProjectMessages.Version(judged.Found));
         // With MRTK3, these packages are needed, and a version that is too new is a conflict.
         if (_settings.HasMrtk3) return;

@@ -23,7 +23,7 @@ public sealed partial class VersionBoundsTests
     {
         var words = Readme.Split('\n').Single(line => line.StartsWith($"| {row} |", StringComparison.Ordinal));
 
-        var found = UnityBounds.Judge(UnityVersion.TryParse(version).Value, withMicrosoft: true).Found;
+        var found = UnityVersionRatings.Judge(UnityVersion.TryParse(version).Value, withMicrosoft: true).Found;
 
         var judgement = found[(found.IndexOf(':', StringComparison.Ordinal) + 1)..];
         var numbers = Numbers().Matches(judgement).Select(m => m.Value).Where(n => n != "2022.3");

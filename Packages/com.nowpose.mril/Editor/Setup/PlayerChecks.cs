@@ -16,7 +16,7 @@ namespace Nowpose.Editor.Setup
 
         public static ProjectCheck EditorVersion { get; } = new ProjectCheck(CheckTitles.UnityVersion, CheckReasons.UnityVersion, project =>
             UnityVersion.TryParse(project.EditorVersion) is UnityVersion version
-                ? UnityBounds.Judge(version, project.Platform == HeadsetPlatform.HoloLens2)
+                ? UnityVersionRatings.Judge(version, project.Platform == HeadsetPlatform.HoloLens2)
                 : CheckResult.Unknown(CheckResults.UnityVersion(project.EditorVersion)));
 
         public static ProjectCheck Architecture { get; } = new ProjectCheck(

@@ -5,7 +5,7 @@ using Nowpose.Editor.Messages;
 namespace Nowpose.Editor.Setup
 {
     /// <summary>Rates Unity versions. Some were compared with the members that the package uses, and others have known failures.</summary>
-    static class UnityBounds
+    static class UnityVersionRatings
     {
         // Each row applies from its version up to the version of the next row.
         static readonly Row[] Rows =

@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Tests.Unity.Setup
 {
-    public class UnityBoundsTests
+    public class UnityVersionRatingsTests
     {
         [TestCase("2020.3.48f1", "Missing", "Missing")]
         [TestCase("2021.2.19f1", "Missing", "Missing")]
@@ -22,15 +22,15 @@ namespace Nowpose.Tests.Unity.Setup
         {
             var parsed = UnityVersion.TryParse(version).Value;
 
-            Assert.That(UnityBounds.Judge(parsed, withMicrosoft: false).State.ToString(), Is.EqualTo(without));
-            Assert.That(UnityBounds.Judge(parsed, withMicrosoft: true).State.ToString(), Is.EqualTo(with));
-            Assert.That(UnityBounds.Judge(parsed, withMicrosoft: true).Found, Does.Contain(version));
+            Assert.That(UnityVersionRatings.Judge(parsed, withMicrosoft: false).State.ToString(), Is.EqualTo(without));
+            Assert.That(UnityVersionRatings.Judge(parsed, withMicrosoft: true).State.ToString(), Is.EqualTo(with));
+            Assert.That(UnityVersionRatings.Judge(parsed, withMicrosoft: true).Found, Does.Contain(version));
         }
 
         [Test]
         public void Judge_TooNewForThePlugIn_NamesThePlugInAndTheRemedy()
         {
-            var found = UnityBounds.Judge(UnityVersion.TryParse("6000.3.2f1").Value, withMicrosoft: true).Found;
+            var found = UnityVersionRatings.Judge(UnityVersion.TryParse("6000.3.2f1").Value, withMicrosoft: true).Found;
 
             Assert.That(found, Does.Contain(UnityVersionMessages.PlugInFails));
         }
