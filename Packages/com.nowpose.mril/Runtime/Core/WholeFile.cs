@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Text;
+using System.Threading;
 using Nowpose.Messages;
 
 namespace Nowpose
@@ -11,6 +12,16 @@ namespace Nowpose
     /// </summary>
     static class WholeFile
     {
+        const int MaxRenamings = 10;
+
+        static readonly TimeSpan RenamingInterval = TimeSpan.FromMilliseconds(50);
+
+        /// <summary>Error codes of Windows for a file that another process has opened, and for the parts of a replacement that can fail.</summary>
+        static readonly int[] TemporaryErrors =
+        {
+            unchecked((int)0x80070020), unchecked((int)0x80070497), unchecked((int)0x80070498), unchecked((int)0x80070499),
+        };
+
         /// <param name="maxBytes">Maximum size; a larger file is rejected.</param>
         /// <exception cref="InputException">The file cannot be read; the message is one line that names it.</exception>
         public static string Read(string path, int maxBytes)
@@ -50,8 +61,9 @@ namespace Nowpose
 
         /// <summary>
         /// Writes a temporary file in the same folder, flushes it to the disk, and then gives it the name of the file. After a failure, no temporary
-        /// file remains.
+        /// file remains, unless the old file no longer exists.
         /// </summary>
+        /// <remarks>On Windows, the method can wait for up to half a second until another process closes the file.</remarks>
         /// <param name="path">Path of the file.</param>
         /// <param name="write">Writes the content.</param>
         /// <param name="create">Creates the temporary file at a path; null to create it with the default permissions.</param>
@@ -59,6 +71,7 @@ namespace Nowpose
         public static void Write(string path, Action<Stream> write, Func<string, FileStream> create = null, bool mayExist = true)
         {
             var temporary = path + ".new";
+            var existed = File.Exists(path);
             var file = create == null ? new FileStream(temporary, FileMode.Create, FileAccess.Write, FileShare.None) : create(temporary);
             try
             {
@@ -68,13 +81,31 @@ namespace Nowpose
                     // Without the flush, the disk could receive the new name of the file before its content.
                     file.Flush(flushToDisk: true);
                 }
-                if (mayExist && File.Exists(path)) File.Replace(temporary, path, null);
-                else File.Move(temporary, path);
+                Rename(temporary, path, mayExist);
             }
             catch
             {
-                Delete(temporary);
+                // On Windows, a replacement that fails can remove the old file, so that the temporary file is the only copy.
+                if (!existed || File.Exists(path)) Delete(temporary);
                 throw;
+            }
+        }
+
+        // Tries again if another program, such as a virus scanner, prevents the renaming. After error 0x498, the old file no longer exists.
+        static void Rename(string temporary, string path, bool mayExist)
+        {
+            for (var left = MaxRenamings; ; left--)
+            {
+                try
+                {
+                    if (mayExist && File.Exists(path)) File.Replace(temporary, path, null);
+                    else File.Move(temporary, path);
+                    return;
+                }
+                catch (IOException fault) when (left > 1 && Array.IndexOf(TemporaryErrors, fault.HResult) >= 0)
+                {
+                    Thread.Sleep(RenamingInterval);
+                }
             }
         }
 
