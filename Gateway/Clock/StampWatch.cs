@@ -8,7 +8,8 @@ namespace Nowpose.Gateway.Clock;
 /// <remarks>
 /// Example: a source stamps its samples with system time, and the system clock is corrected, but the control clock does not follow. From
 /// then on, the stamps are either in the future, so that the gateway refuses the samples, or too old. The same happens if the control
-/// clock is the system clock and a source does not follow the correction. Stamps on a plant clock are not checked.
+/// clock is the system clock and a source does not follow the correction. On Windows, the counter of the control clock also has another rate
+/// than the system clock, which has the same effect after some time. Stamps on a plant clock are not checked.
 /// </remarks>
 /// <param name="control">The control clock.</param>
 /// <param name="own">The gateway's own clock; null while another one is the control clock.</param>
@@ -53,8 +54,9 @@ sealed class StampWatch(
     readonly Dictionary<string, MinAges> _usual = [];
     TimeSpan? _ahead;
     ControlTime _since;
-    TimeSpan _correction;
-    string _logged, _served;
+    TimeSpan _correction, _loggedCorrection;
+    bool? _logged;
+    string _served;
 
     /// <summary>The fault that was found, with its remedy; null if there is none.</summary>
     public StampWarning Found { get; private set; }
@@ -103,11 +105,14 @@ sealed class StampWatch(
         var contradicting = sources.Where(one => one.Counts.IsContradiction)
             .OrderByDescending(one => one.Counts.IsImplausible).ThenByDescending(one => one.Counts.Percent).ToArray();
         Found = contradicting.Length > 0 ? Contradiction(contradicting) : Correction();
-        var kind = IsContradicted ? "contradiction" : Warning;
-        if (kind == _logged) return;
+        var kind = Found?.IsContradiction;
+        if (kind == _logged && (kind != false || !HasMoved())) return;
         log(Warning == null ? StampMessages.AgreeAgain : StampMessages.Log(Warning));
-        _logged = kind;
+        (_logged, _loggedCorrection) = (kind, _correction);
     }
+
+    // Two clocks with different rates would otherwise cause a line for each 0.1 s.
+    bool HasMoved() => (_correction - _loggedCorrection).Duration() >= _loggedCorrection.Duration();
 
     // Ages on two different control clocks cannot be compared.
     void ResetOnClockChange()

@@ -9,7 +9,7 @@ static class StampMessages
     public static string NotFollowing(string clock) => $"they do not follow the control clock {clock}";
 
     public const string NotCorrected = "they did not follow a correction of the system clock";
-    public const string Corrected = "they followed a correction of the system clock";
+    public const string Corrected = "they follow the system clock, which has moved relative to the control clock";
     /// <summary>The remedy for a source whose clock is not the control clock.</summary>
     public const string SourceRemedy = "Set the clock of the source, or let its adapter offer that clock.";
     /// <summary>The remedy for a gateway with its own clock; does not apply to the command simulate.</summary>
@@ -18,8 +18,8 @@ static class StampMessages
     public const string FitsSystemClock = ", and that match the system clock";
 
     public static string SystemClockCorrected(double seconds) =>
-        FormattableString.Invariant($"the system clock was corrected by {seconds:+0.0;-0.0} s since the gateway started, but its control clock ")
-        + "did not follow. Time stamps that a source takes from the system clock are wrong by this amount";
+        FormattableString.Invariant($"the system clock has moved by {seconds:+0.0;-0.0} s relative to the control clock since the gateway started. ")
+        + "Time stamps that a source takes from the system clock are wrong by this amount";
 
     /// <returns>The end of a sentence about one source, which names the other sources; empty if there are none.</returns>
     public static string SameFor(IReadOnlyCollection<string> sources) =>

@@ -143,6 +143,22 @@ public class StampWatchTests : StampWatchFixture
         Assert.That(_log, Has.Count.EqualTo(1));
     }
 
+    // On Windows, the counter of the gateway's own clock does not follow the system clock: it has another rate for as long as the gateway runs.
+    [Test]
+    public void Look_OwnClockHasAnotherRateForADay_LogsEachDoublingOfTheDifference()
+    {
+        var minute = TimeSpan.FromMinutes(1);
+        for (var i = 0; i < 24 * 60; i++)
+        {
+            _time.Advance(minute);
+            _correction += minute * 30e-6;
+            _watch.Look(_log.Add);
+        }
+
+        var logged = _log.Select(line => MessageNumbers.In(line, StampMessages.SystemClockCorrected(1))[0]).ToArray();
+        Assert.That(logged, Is.EqualTo(new[] { 0.1, 0.2, 0.4, 0.8, 1.6 }).Within(0.01));
+    }
+
     [Test]
     public void Look_SystemClockCorrectedBack_EndsTheContradiction()
     {
