@@ -19,7 +19,8 @@ static class PortListener
             if (bind.Equals(IPAddress.IPv6Any)) listener.Server.DualMode = true;
             // Does not set the option ReuseAddress. On Unix, .NET sets SO_REUSEADDR when it binds, so a restart need not wait until old connections
             // time out. ReuseAddress also has the effect of SO_REUSEPORT, which would let two gateways share the port.
-            // Windows would otherwise let another program listen on the same port at one of the addresses. Other systems always refuse this.
+            // Windows would otherwise let another program listen on the same port at one of the addresses. Other systems always refuse this. Windows
+            // then refuses a restart until the connections of the earlier gateway have ended.
             listener.Server.ExclusiveAddressUse = true;
             listener.Start();
             return listener;
@@ -35,9 +36,12 @@ static class PortListener
     public static bool IsTaken(IOException refusal) =>
         refusal.InnerException is SocketException { SocketErrorCode: SocketError.AddressAlreadyInUse };
 
-    static IOException Refusal(string option, IPAddress bind, int port, SocketException cause) => IsOfThePort(cause)
-        ? new IOException(AddressOptionMessages.PortRefused(option, port, bind, cause.Message), cause)
-        : new IOException(AddressOptionMessages.NotThisMachine(bind, cause.Message), cause);
-
-    static bool IsOfThePort(SocketException cause) => cause.SocketErrorCode is SocketError.AddressAlreadyInUse or SocketError.AccessDenied;
+    static IOException Refusal(string option, IPAddress bind, int port, SocketException cause) => new(cause.SocketErrorCode switch
+    {
+        SocketError.AddressAlreadyInUse => AddressOptionMessages.PortInUse(option, port, bind, cause.Message),
+        SocketError.AccessDenied => OperatingSystem.IsWindows()
+            ? AddressOptionMessages.PortReserved(option, port, bind, cause.Message)
+            : AddressOptionMessages.PortPrivileged(option, port, bind, cause.Message),
+        _ => AddressOptionMessages.NotThisMachine(bind, cause.Message),
+    }, cause);
 }

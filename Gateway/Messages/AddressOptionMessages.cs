@@ -21,8 +21,15 @@ static class AddressOptionMessages
     public static string Rate(string option, int value, int max) => $"{option} {value} is out of range; allowed: 1 to {max}";
     public static string Port(string option, int value, int max) => $"{option} {value} is out of range; allowed: 0 (any free port) to {max}";
 
-    public static string PortRefused(string option, int port, IPAddress address, string reason) =>
-        $"{option} {port} on {address}: {reason}; choose another port, or stop the program that uses this one";
+    public static string PortInUse(string option, int port, IPAddress address, string reason) =>
+        $"{option} {port} on {address}: {reason}; choose another port, or stop the program that uses this one and wait until its connections have ended";
+
+    public static string PortReserved(string option, int port, IPAddress address, string reason) =>
+        $"{option} {port} on {address}: {reason}; choose a port above 1023 that Windows does not reserve "
+        + "(netsh interface ipv4 show excludedportrange protocol=tcp)";
+
+    public static string PortPrivileged(string option, int port, IPAddress address, string reason) =>
+        $"{option} {port} on {address}: {reason}; choose a port above 1023";
 
     public const string KeyWithoutCertificate =
         "--certificate-key: needs --certificate, the file of the certificate; add it, or remove --certificate-key";
