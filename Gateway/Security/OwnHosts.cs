@@ -46,14 +46,20 @@ static class OwnHosts
 
     /// <summary>
     /// Gets the addresses of this machine, without those of loopback and without link-local IPv6 addresses, because the latter need the name of a
-    /// network interface, and browsers do not accept them.
+    /// network interface, and browsers do not accept them. The first ones are those that other machines most probably reach.
     /// </summary>
     public static IEnumerable<IPAddress> AddressesOfThisMachine() =>
         from network in NetworkInterface.GetAllNetworkInterfaces()
         where network.OperationalStatus == OperationalStatus.Up && network.NetworkInterfaceType != NetworkInterfaceType.Loopback
-        from unicast in network.GetIPProperties().UnicastAddresses
+        let properties = network.GetIPProperties()
+        from unicast in properties.UnicastAddresses
         where !unicast.Address.IsIPv6LinkLocal
+        // The networks of virtual machines and containers have no default gateway.
+        orderby IsLinkLocal(unicast.Address), properties.GatewayAddresses.Count == 0
         select unicast.Address;
+
+    // 169.254.0.0/16, which an interface without a DHCP server has.
+    static bool IsLinkLocal(IPAddress address) => address.AddressFamily == AddressFamily.InterNetwork && address.GetAddressBytes() is [169, 254, ..];
 
     // Multicast DNS resolves the name with the suffix .local to this machine.
     static IEnumerable<string> NamesOf(IPAddress local) =>
