@@ -56,10 +56,12 @@ public static class CertificateFiles
         return new ServerCertificate(certificate, All(path));
     }
 
-    // Returns all certificates of the file: the gateway's own one and those of its issuers, if the file contains them.
+    // Returns all certificates of the file: the gateway's own one and those of its issuers, if the file contains them. On Windows, a key that is not
+    // ephemeral is copied to the profile of the user. macOS has no ephemeral keys.
     static X509Certificate2Collection All(string path) => Read(path, () =>
     {
-        if (IsPfx(path)) return X509CertificateLoader.LoadPkcs12CollectionFromFile(path, null);
+        var keys = OperatingSystem.IsWindows() ? X509KeyStorageFlags.EphemeralKeySet : X509KeyStorageFlags.DefaultKeySet;
+        if (IsPfx(path)) return X509CertificateLoader.LoadPkcs12CollectionFromFile(path, null, keys);
         var all = new X509Certificate2Collection();
         all.ImportFromPemFile(path);
         return all;

@@ -54,6 +54,8 @@ static class PlantCommand
                 stop);
             if (WarningOf(motion) is { } warning) Announcement.Log(DryRunMessages.WarningLog(warning));
             var clock = server.Clock(parsed);
+            // On Windows, the end of the certificate removes its key from the profile of the user.
+            using var certificate = options.Certificate;
             await using var gateway = await GatewayServer.StartAsync(
                 options with { ControlClock = PlantClocks.Own }, clock, Announcement.LogWithTime, stop);
             // A recorded motion does not contain the moves in which the gripper closes and opens.

@@ -72,6 +72,8 @@ static class ServeVerb
             if (PlantFile.MissingJoints(read, description) is { Count: > 0 } missing) Announcement.Log(DryRunMessages.MissingJointsLog(missing));
             if (PlantFile.MissingParents(read, description, placed) is { Count: > 0 } parents)
                 Announcement.Log(DryRunMessages.MissingParentsLog(parents));
+            // On Windows, the end of the certificate removes its key from the profile of the user.
+            using var certificate = options.Certificate;
             await using var gateway = await GatewayServer.StartAsync(options, clock, Announcement.LogWithTime, stop);
             using var source = gateway.Hub.OpenSource();
             if (description != null)
