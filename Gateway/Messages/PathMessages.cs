@@ -1,3 +1,5 @@
+using Nowpose.Gateway.Options;
+
 namespace Nowpose.Gateway.Messages;
 
 /// <summary>Error messages about files that cannot be found, read or written, with remedies.</summary>
@@ -6,10 +8,14 @@ static class PathMessages
 {
     public static string NotFound(string path, string remedy = "correct the path") => $"{path}: file not found; {remedy}";
 
-    public static string NotRead(string path, Exception cause) => $"{path}: cannot be read ({OneLine(cause)}); check the path and its permissions";
+    public const string CloseElsewhere = "close it in the program that has opened it";
+
+    public static string NotRead(string path, Exception cause) =>
+        $"{path}: cannot be read ({OneLine(cause)}); {(FileFault.IsInUse(cause) ? CloseElsewhere : "check the path and its permissions")}";
 
     public static string NotWritten(string path, Exception cause) =>
-        $"{path}: cannot be written ({OneLine(cause)}); check the path, its permissions and the free space";
+        $"{path}: cannot be written ({OneLine(cause)}); "
+        + (FileFault.IsInUse(cause) ? CloseElsewhere : "check the path, its permissions and the free space");
 
     public static string OutputNotWritten(Exception cause) =>
         $"standard output: cannot be written ({OneLine(cause)}); check where it is redirected to, and the free space";

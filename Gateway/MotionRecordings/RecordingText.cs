@@ -28,7 +28,8 @@ public static class RecordingText
         if (Directory.Exists(path))
             throw new InputException(MotionFileMessages.IsAFolder(path));
         var bytes = FileFault.Report<Stream>(
-            () => File.OpenRead(path), e => FileFault.IsMissing(e) ? PathMessages.NotFound(path) : PathMessages.NotRead(path, e));
+            // Windows would otherwise refuse a file that another program is writing.
+            () => new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete), e => FileFault.IsMissing(e) ? PathMessages.NotFound(path) : PathMessages.NotRead(path, e));
         var text = path.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? new GZipStream(bytes, CompressionMode.Decompress) : bytes;
         var lines = new LineLimitStream(
             text, line => throw new InputException(MotionFileMessages.LineTooLong(path, line, MaxLineMebibytes)), MaxLineMebibytes << 20);

@@ -1,5 +1,6 @@
 using System.IO.Compression;
 using System.Text;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.MotionRecordings;
 using NUnit.Framework;
 
@@ -32,6 +33,16 @@ public class RecordingTextTests
         Write("t,a\n0,\"", string.Concat(Enumerable.Repeat("1234567\n", 4 * 1024 * 1024)), "\"\n");
 
         Assert.That(() => MotionRecording.Read(_path), Throws.InstanceOf<InputException>().With.Message.Contains("8 MiB"));
+    }
+
+    [Test]
+    public void Open_FileInUse_NamesThatAsTheReason()
+    {
+        using var other = new FileStream(_path, FileMode.Create, FileAccess.Write, FileShare.None);
+
+        var fault = Assert.Throws<InputException>(() => RecordingText.Open(_path).Dispose());
+
+        Assert.That(fault.Message, Does.EndWith(PathMessages.CloseElsewhere));
     }
 
     void Write(params string[] parts)
