@@ -16,7 +16,8 @@ static class ConfigurationMessages
     public static string UnknownEntry(string verb, string allowed) => $"'{verb}' has no such entry; {allowed}";
 
     public const string List = "is a list; give one value";
-    public const string ControlCharacter = "contains a line end or another control character; remove it";
+    public const string ControlCharacter = "contains a line end or another control character; remove it. "
+        + "In double quotes, \\ begins an escape sequence: write a path of Windows without quotes";
 
     public static string NotASwitch(string value) => $"'{value}' is neither true nor false; use one of the two";
 }
