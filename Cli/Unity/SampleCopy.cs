@@ -93,5 +93,12 @@ sealed class SampleCopy
         if (Directory.Exists(folder)) Directory.Delete(folder, recursive: true);
     }
 
-    static bool IsSame(string a, string b) => File.ReadAllBytes(a).AsSpan().SequenceEqual(File.ReadAllBytes(b));
+    static bool IsSame(string a, string b) => ContentOf(a).SequenceEqual(ContentOf(b));
+
+    // Ignores carriage returns before line ends, because Git on Windows adds them.
+    static IEnumerable<byte> ContentOf(string path)
+    {
+        var bytes = File.ReadAllBytes(path);
+        return bytes.Where((one, i) => one != '\r' || i + 1 == bytes.Length || bytes[i + 1] != '\n');
+    }
 }

@@ -41,6 +41,20 @@ public class UnitySampleTests
         Assert.That(project.Read(changed), Is.EqualTo("mine"));
     }
 
+    // Git on Windows changes the line ends of a project.
+    [Test]
+    public async Task Unity_SampleWithOtherLineEnds_IsUnchanged()
+    {
+        using var project = new UnityProjectFolder(Empty);
+        await project.RunAsync("--sample", "Virtual Robot Cell");
+        const string readme = "Assets/Samples/Nowpose/0.2.0/Virtual Robot Cell/README.md";
+        project.Write(readme, project.Read(readme).ReplaceLineEndings("\r\n"));
+
+        var run = await project.RunAsync("--sample", "Virtual Robot Cell", "--check");
+
+        Assert.That(run.ExitStatus, Is.Zero, run.Errors);
+    }
+
     [TestCase("Assets/Samples", "--check")]
     [TestCase("Assets/Samples")]
     [TestCase("Assets/Samples/Nowpose/0.2.0/Virtual Robot Cell")]
