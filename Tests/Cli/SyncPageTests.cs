@@ -72,8 +72,9 @@ public class SyncPageTests
         Assert.That(Directory.GetFiles(folder.Path), Has.Length.EqualTo(2));
     }
 
-    [TestCase("/dev/null/x/clock.html")]
-    [TestCase("")]
+    static readonly string[] InvalidPages = [ImpossiblePath.BelowAFile("x/clock.html"), ""];
+
+    [TestCaseSource(nameof(InvalidPages))]
     public async Task Sync_PageWithAnInvalidPath_Fails(string page)
     {
         using var file = new TemporaryFile(Log(20), ".csv");

@@ -86,6 +86,7 @@ public class SessionNonBlockingTests
     }
 
     [Test]
+    [Platform("Linux")]
     public void Session_HostDoesNotAnswer_DoesNotBlock()
     {
         using var deaf = new UnresponsiveHost();
@@ -116,6 +117,7 @@ public class SessionNonBlockingTests
     }
 
     [Test]
+    [Platform("Linux")]
     public async Task Clients_HostDoesNotAnswer_EndShortlyAfterDispose()
     {
         using var deaf = new UnresponsiveHost();

@@ -108,12 +108,17 @@ public partial class FiguresVerbTests
         Assert.That(FiguresJson.Of([], Least), Does.Not.Contain("--limits"));
     }
 
-    [TestCase("--out", "/dev/null/x", "--out: /dev/null/x: cannot be written")]
-    [TestCase("--pictures", "/dev/null/x", "--pictures: /dev/null/x: cannot be written")]
-    [TestCase("--phases", "3", "'--phases' is unknown")]
-    [TestCase("--limits", "1000,5000", "--limits")]
-    [TestCase("--limits", "1000,5000,0", "--limits")]
-    [TestCase("--predictor", "quartic", "--predictor")]
+    static readonly string[][] InvalidOptions =
+    [
+        ["--out", ImpossiblePath.BelowAFile("x"), $"--out: {ImpossiblePath.BelowAFile("x")}: cannot be written"],
+        ["--pictures", ImpossiblePath.BelowAFile("x"), $"--pictures: {ImpossiblePath.BelowAFile("x")}: cannot be written"],
+        ["--phases", "3", "'--phases' is unknown"],
+        ["--limits", "1000,5000", "--limits"],
+        ["--limits", "1000,5000,0", "--limits"],
+        ["--predictor", "quartic", "--predictor"],
+    ];
+
+    [TestCaseSource(nameof(InvalidOptions))]
     public async Task Figures_InvalidOption_PrintsOneLineAndExitsWith2(string option, string value, string named)
     {
         var arguments = option == "--out" ? new[] { "figures", option, value } : ["figures", "--out", _folder, option, value];

@@ -91,6 +91,7 @@ public class AdapterProcessTests : PlantFileFixture
     }
 
     [Test]
+    [Platform("Linux")]
     public async Task Serve_GatewayKilled_EndsItsAdapter()
     {
         var gateway = new PeerProcess("Nowpose.Gateway.dll", "serve", "--plant", Write(Good), "--sync-port", "0", "--ws-port", "0");

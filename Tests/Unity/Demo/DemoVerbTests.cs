@@ -113,7 +113,7 @@ public class DemoVerbTests
         ["--robot", "r2d2", "r2d2"],
         ["--recording", "gone.csv", PathMessages.NotFound("gone.csv")],
         ["--visu-error-ms", "-50", DemoMessages.AssumedVisu(-10)],
-        ["--out", "/dev/null/x", "--out: /dev/null/x: cannot be written"],
+        ["--out", ImpossiblePath.BelowAFile("x"), $"--out: {ImpossiblePath.BelowAFile("x")}: cannot be written"],
     ];
 
     [TestCaseSource(nameof(InvalidOptions))]
