@@ -234,12 +234,14 @@ public sealed class LatencyNudgeTests
         Assert.That(_nudge.ForwardCount, Is.EqualTo(1));
     }
 
-    [Test]
-    public void Mark_AtTheTurningPoint_IsRefused()
+    [TestCase(false)]
+    [TestCase(true)]
+    public void Mark_HalfASecondAfterTheTurningPoint_IsRefused(bool isRewritten)
     {
+        _session.Settings = new SessionSettings(PlayedCell.Offline.Connection, PlayedCell.Offline.Visualisation, rewriteBeforeRender: isRewritten);
         Run(8);
         RunToTheMiddle(isForward: true);
-        Run(1);
+        Run(1.3);
 
         Assert.That(_nudge.Mark(), Is.False);
 

@@ -182,6 +182,8 @@ namespace Nowpose.Unity
             TakeAxis();
             // An assigned rig may show a robot in a namespace.
             if (_moved != null && _moved.Robot is SessionRobot robot) frame = robot.Frame;
+            // A computation that is not drawn would halve the time over which the speed must be constant.
+            if (!frame.IsLast) return;
             if (frame.State == PoseState.Current && frame.DisplayTime.HasValue) _speed.Add(frame.DisplayTime.Value, AlongMm(frame.ToolPose));
             else _speed.Reset();
         }
