@@ -48,7 +48,7 @@ public static class AssetPlan
         (ForeignPaths.HandMenu, ForeignPrefabs.HandMenu),
         (ForeignPaths.Rig, ForeignPrefabs.Rig),
         (ForeignPaths.Simulator, ForeignPrefabs.Simulator),
-        (PackagePaths.HoloLensSettings, w => RobotAssets.Settings(w, PackagePaths.HoloLensSettings, rewrites: true)),
+        (PackagePaths.HoloLensSettings, w => RobotAssets.Settings(w, PackagePaths.HoloLensSettings)),
         (PackagePaths.HoloLensMenu, HeadsetMenuPrefab.Make),
         (PackagePaths.HoloLensPanel, HoloLensPrefabs.Panel),
         (PackagePaths.HoloLensMarker, HoloLensPrefabs.Marker),

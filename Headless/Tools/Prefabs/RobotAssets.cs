@@ -19,13 +19,11 @@ static class RobotAssets
 
     /// <summary>Creates settings with the default values of the class: a gateway on this machine, without calibration.</summary>
     /// <param name="robotNamespace">Namespace of the session's own robot.</param>
-    /// <param name="rewrites">Whether the pose is computed again before rendering, when the display time of the frame is known.</param>
-    public static string Settings(PackageAssets assets, string path, string robotNamespace = "", bool rewrites = false)
+    public static string Settings(PackageAssets assets, string path, string robotNamespace = "")
     {
         var asset = ScriptableObject.CreateInstance<SessionSettingsAsset>();
         asset.name = Path.GetFileNameWithoutExtension(path);
         Fields.Set(asset, "_robotNamespace", robotNamespace);
-        Fields.Set(asset, "_rewriteBeforeRender", rewrites);
         return assets.Asset(asset);
     }
 }

@@ -35,11 +35,11 @@ public class ShownFramesTests
     }
 
     [Test]
-    public void Shown_RewriteBeforeRender_IsRaisedTwicePerFrameWithANewerTime()
+    public void Shown_DefaultSettings_IsRaisedTwicePerFrameWithANewerTime()
     {
         var session = _cell.NewSession();
         session.Settings = null;
-        session.With("_settings", ScriptableObject.CreateInstance<SessionSettingsAsset>().With("_rewriteBeforeRender", true));
+        session.With("_settings", ScriptableObject.CreateInstance<SessionSettingsAsset>());
         session.gameObject.SetActive(true);
         var starts = new List<HeadsetTime>();
         session.Shown += frame => starts.Add(frame.Start);
@@ -55,7 +55,7 @@ public class ShownFramesTests
     [Test]
     public void Shown_RewriteBeforeRenderChangedInPlay_AppliesFromTheNextStart()
     {
-        var asset = ScriptableObject.CreateInstance<SessionSettingsAsset>();
+        var asset = ScriptableObject.CreateInstance<SessionSettingsAsset>().With("_rewriteBeforeRender", false);
         var session = _cell.NewSession().With("_settings", asset);
         session.Settings = null;
         session.gameObject.SetActive(true);

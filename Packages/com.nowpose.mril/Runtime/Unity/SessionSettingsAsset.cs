@@ -69,9 +69,10 @@ namespace Nowpose.Unity
             + "Default Fade, because a late prediction is more accurate than the newest samples.")]
         OutsideRangeResponse _outsideRange = OutsideRangeResponse.Fade;
 
-        [SerializeField, Tooltip("Compute the pose again right before rendering, with a newer estimate of the display time. This shortens the "
-            + "prediction by a few ms and doubles the computation. Calibrate L_visu with the same setting.")]
-        bool _rewriteBeforeRender = false;
+        [SerializeField, Tooltip("Compute the pose again right before rendering, after Unity has waited for the display. Leave it on for headsets: "
+            + "without it, L_visu includes this wait and varies with the processor time of your scripts. It doubles the computation. Calibrate "
+            + "L_visu with the same setting.")]
+        bool _rewriteBeforeRender = true;
 
         [Header("Prediction")]
         [SerializeField, PredictorName, Tooltip("adaptive, hold, linear, quadratic, cubic, quadratic-h3, quadratic-h4 or gp. adaptive selects "

@@ -42,7 +42,9 @@ namespace Nowpose.Session
         /// a profile.
         /// </param>
         /// <param name="outsideRange">How the robot is displayed while the render time is outside the range.</param>
-        /// <param name="rewriteBeforeRender">Value of <see cref="RewriteBeforeRender"/>; calibrate L_visu with the same setting.</param>
+        /// <param name="rewriteBeforeRender">
+        /// Value of <see cref="RewriteBeforeRender"/>; true for a headset. Calibrate L_visu with the same setting.
+        /// </param>
         /// <param name="robotNamespace">Value of <see cref="RobotNamespace"/>.</param>
         /// <exception cref="InputException">A value is out of range.</exception>
         public SessionSettings(

@@ -20,7 +20,7 @@ namespace Nowpose.Tests.Unity
 
         internal static void Connect(MrilSession session, ConnectionSettings connection)
         {
-            session.Settings = new SessionSettings(connection, VisualisationLatency.FromMilliseconds(43));
+            session.Settings = new SessionSettings(connection, VisualisationLatency.FromMilliseconds(43), rewriteBeforeRender: true);
             session.Connect();
         }
 

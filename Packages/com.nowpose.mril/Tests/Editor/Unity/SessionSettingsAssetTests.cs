@@ -42,7 +42,7 @@ namespace Nowpose.Tests.Unity
             ("_clockEstimator", "ransac", s => s.ClockEstimator, "ransac"),
             ("_syncIntervalMs", 150.0, s => s.SyncInterval.TotalMilliseconds, 150.0),
             ("_outsideRange", OutsideRangeResponse.Hold, s => s.OutsideRange, OutsideRangeResponse.Hold),
-            ("_rewriteBeforeRender", true, s => s.RewriteBeforeRender, true),
+            ("_rewriteBeforeRender", false, s => s.RewriteBeforeRender, false),
         };
 
         // These fields are valid only in combination, so they have tests of their own.
