@@ -105,7 +105,7 @@ static class RangeFit
         var limit = Math.Min(last + IntoTheGap * (next - last), (1 + MaxShareAbove) * last);
         // The times of this source are groups one refresh apart, so the usual render time can be just below the limit.
         if (source == RenderTimeSourceKind.GpuCompletion)
-            limit = Math.Max(limit, Quantile.Of(Render(inside), InRange) / ConstantLatencyMonitor.ClearlyInside);
+            limit = Math.Max(limit, Quantile.Of(Render(inside), InRange) / MedianLimit.ClearlyInside);
         return new RangeFitResult(mean, spread, split.IsReached ? limit : null, split.IsReached ? limit : last, sorted.Length, inside.Length,
             split.Count - inside.Length, open > (1 + Coarse) * lastPossible && open > limit ? open : null);
     }

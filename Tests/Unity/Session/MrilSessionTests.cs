@@ -1,4 +1,5 @@
 using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
 using Nowpose.Messages;
 using Nowpose.Session;
 using Nowpose.Unity;
@@ -19,6 +20,20 @@ public class MrilSessionTests
 
     [TearDown]
     public void Stop() => _cell.Dispose();
+
+    [Test]
+    public void LateUpdate_FramesMissRefreshes_LogsTheRemedyOnce()
+    {
+        var session = _cell.Play();
+        _cell.Run(2, session);
+        session.Session.Conditions = new DisplayConditions(displayHz: 120);
+
+        _cell.Run(1, session);
+
+        Assert.That(session.Frame.State, Is.EqualTo(PoseState.OutsideRange));
+        Assert.That(_cell.Messages.Count(m => m.Contains(SessionMessages.RefreshesMissed)), Is.EqualTo(1));
+        Assert.That(_cell.Messages, Has.None.Contains(SessionMessages.BeyondRange));
+    }
 
     [Test]
     public void OnEnable_ValidSettings_OwnsASessionUntilDisabled()

@@ -47,8 +47,8 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Called when the render time has been in the constant-latency range for half a second.")]
         UnityEvent _onEnteredRange = new UnityEvent();
 
-        [SerializeField, Tooltip("Called when the render time has left the constant-latency range: the visualisation latency is longer than "
-            + "calibrated.")]
+        [SerializeField, Tooltip("Called when the render time has left the constant-latency range, or frames miss refreshes: the "
+            + "visualisation latency is longer than calibrated.")]
         UnityEvent _onLeftRange = new UnityEvent();
 
         [SerializeField, Tooltip("Called when the arm is held, because its samples are too old or too few.")]

@@ -2,10 +2,10 @@ using System;
 
 namespace Nowpose.Latency
 {
-    /// <summary>Reason why a <see cref="RangeState"/> is unknown.</summary>
+    /// <summary>Reason why a <see cref="RangeState"/> is unknown, or outside at any render time.</summary>
     enum RangeUnknownReason
     {
-        /// <summary>The state is known.</summary>
+        /// <summary>The render time determines the state.</summary>
         None,
 
         /// <summary>Neither the settings nor a calibration contain a limit.</summary>
@@ -25,6 +25,9 @@ namespace Nowpose.Latency
 
         /// <summary>No range is known, and the display's GPU time is above its refresh interval, so frames miss refreshes.</summary>
         LongerThanRefresh,
+
+        /// <summary>Outside, because frames start at less than two thirds of the display's refresh rate, so that they miss refreshes.</summary>
+        LowFrameRate,
     }
 
     /// <summary>Whether the render time is in the constant-latency range, so that L_visu has its calibrated value.</summary>
@@ -44,7 +47,7 @@ namespace Nowpose.Latency
         Outside,
     }
 
-    /// <summary>Detects, frame by frame, whether the render time is in the constant-latency range.</summary>
+    /// <summary>Detects, frame by frame, whether the render time is in the constant-latency range, and whether frames miss refreshes.</summary>
     /// <remarks>
     /// Schnierle &amp; Röck 2022, Fig. 11b. Uses the median of the newest 15 frames, so that one slow frame has no effect. A sudden load
     /// that raises the render time to 10 % or more above the limit is detected within 10 frames. A load slightly above the limit takes
@@ -52,33 +55,24 @@ namespace Nowpose.Latency
     /// </remarks>
     sealed class ConstantLatencyMonitor
     {
-        const int Window = 15;
-        const int FramesToJudge = 8;
+        /// <summary>Maximum time between two frames, in refresh intervals. At a lower frame rate, frames miss refreshes.</summary>
+        const double MaxIntervals = 1.5;
 
-        /// <summary>
-        /// Hysteresis of the state. The state becomes <see cref="RangeState.Inside"/> again when the median has stayed below ClearlyInside times the
-        /// limit for <see cref="FramesToReturn"/> frames.
-        /// </summary>
-        internal const double ClearlyInside = 0.94;
-        const int FramesToReturn = 30;
-
-        readonly RollingPercentiles _recent = new RollingPercentiles(Window);
+        readonly MedianLimit _renderTimes = new MedianLimit(), _frameTimes = new MedianLimit();
         ConstantLatencyRange _range;
-        bool? _isBeyond;
-        int _clearFrames;
+        HeadsetTime? _newestStart;
 
         /// <param name="range">Initial value of <see cref="Range"/>.</param>
         public ConstantLatencyMonitor(ConstantLatencyRange range) => _range = range;
 
-        /// <summary>Range to monitor. If it is null, no range is known, and the state stays unknown. A change applies from the next frame.</summary>
+        /// <summary>Range to monitor. If it is null, no range is known. A change applies from the next frame.</summary>
         public ConstantLatencyRange Range
         {
             get => _range;
             set
             {
                 _range = value;
-                _isBeyond = null;
-                _clearFrames = 0;
+                _renderTimes.Forget();
             }
         }
 
@@ -92,22 +86,24 @@ namespace Nowpose.Latency
         {
             get
             {
-                if (_range == null || _isBeyond == null) return RangeState.Unknown;
-                if (_isBeyond == false) return RangeState.Inside;
+                if (_frameTimes.IsBeyond == true) return RangeState.Outside;
+                if (_range == null || _renderTimes.IsBeyond == null) return RangeState.Unknown;
+                if (_renderTimes.IsBeyond == false) return RangeState.Inside;
                 return _range.IsLimitReached ? RangeState.Outside : RangeState.Unknown;
             }
         }
 
-        /// <summary>Reason why <see cref="State"/> is unknown.</summary>
+        /// <summary>Reason why <see cref="State"/> is unknown, or outside at any render time.</summary>
         public RangeUnknownReason UnknownReason
         {
             get
             {
+                if (_frameTimes.IsBeyond == true) return RangeUnknownReason.LowFrameRate;
                 if (State != RangeState.Unknown) return RangeUnknownReason.None;
-                if (_range == null) return _isBeyond == true ? RangeUnknownReason.LongerThanRefresh : RangeUnknownReason.NoLimit;
+                if (_range == null) return _renderTimes.IsBeyond == true ? RangeUnknownReason.LongerThanRefresh : RangeUnknownReason.NoLimit;
                 if (Source == RenderTimeSourceKind.None) return RangeUnknownReason.NoRenderTime;
                 if (Source != _range.Source) return RangeUnknownReason.OtherSource;
-                return _isBeyond == true ? RangeUnknownReason.BeyondMeasured : RangeUnknownReason.TooFewFrames;
+                return _renderTimes.IsBeyond == true ? RangeUnknownReason.BeyondMeasured : RangeUnknownReason.TooFewFrames;
             }
         }
 
@@ -115,7 +111,14 @@ namespace Nowpose.Latency
         public RenderTimeSourceKind Source { get; private set; }
 
         /// <summary>Median that is compared with the limit; null before the first measurement with the current source.</summary>
-        public TimeSpan? RenderTime => _recent.Count == 0 ? (TimeSpan?)null : _recent.At(0.5);
+        public TimeSpan? RenderTime => _renderTimes.Median;
+
+        /// <summary>Adds the start of a displayed frame. Its distance to the previous start is the time between two frames.</summary>
+        public void AddStart(HeadsetTime start)
+        {
+            if (start - _newestStart is TimeSpan passed) _frameTimes.Add(passed, RefreshInterval * MaxIntervals);
+            _newestStart = start;
+        }
 
         /// <summary>Adds the render time of one frame. A change of the source restarts the window.</summary>
         /// <param name="renderTime">
@@ -124,10 +127,9 @@ namespace Nowpose.Latency
         /// <param name="source"><see cref="RenderTimeSourceKind.None"/> when the render time is no longer measured.</param>
         public void Add(TimeSpan renderTime, RenderTimeSourceKind source)
         {
-            if (source != Source) Restart(source);
-            if (source == RenderTimeSourceKind.None || renderTime <= TimeSpan.Zero) return;
-            _recent.Add(renderTime);
-            if (_recent.Count >= FramesToJudge && Limit is TimeSpan limit) Judge(_recent.At(0.5), limit);
+            if (source != Source) _renderTimes.Reset();
+            Source = source;
+            if (source != RenderTimeSourceKind.None && renderTime > TimeSpan.Zero) _renderTimes.Add(renderTime, Limit);
         }
 
         // Limit that applies to the current source; null if there is none.
@@ -138,21 +140,6 @@ namespace Nowpose.Latency
                 if (_range == null) return Source == RenderTimeSourceKind.DisplayGpuTime ? RefreshInterval : null;
                 return _range.Source == Source ? _range.Limit : (TimeSpan?)null;
             }
-        }
-
-        void Restart(RenderTimeSourceKind source)
-        {
-            Source = source;
-            _isBeyond = null;
-            _recent.Reset();
-            _clearFrames = 0;
-        }
-
-        void Judge(TimeSpan median, TimeSpan limit)
-        {
-            _clearFrames = median.Ticks < ClearlyInside * limit.Ticks ? _clearFrames + 1 : 0;
-            if (median > limit) _isBeyond = true;
-            else if (_isBeyond == null || _clearFrames >= FramesToReturn) _isBeyond = false;
         }
     }
 }

@@ -5,7 +5,7 @@ using Nowpose.Session;
 
 namespace Nowpose.Messages
 {
-    /// <summary>Messages about display problems that leave the pose current. Each message contains the action to take.</summary>
+    /// <summary>Messages about display problems. Each message contains the action to take.</summary>
     static class DisplayMessages
     {
         const string Implausible = "display times of the runtime are implausible";
@@ -18,6 +18,10 @@ namespace Nowpose.Messages
 
         const string LongerThanRefresh =
             "the display's GPU time is above its refresh interval, so that the latency is longer than L_visu by an unknown amount; draw less";
+
+        const string LowFrameRate =
+            "frames miss refreshes of the display, so that the latency is longer than L_visu by an unknown amount; draw less, shorten your scripts, "
+            + "and end recording or streaming";
 
         const string BeyondMeasured =
             "the render time is above the longest of the latency profile, so that L_visu is unknown; draw less, or calibrate with this load";
@@ -48,13 +52,14 @@ namespace Nowpose.Messages
                 ?? (IsMismatched(statistics) ? statistics.ProfileMismatches[0].Words : null) ?? ProblemOf(statistics.RangeUnknownReason, statistics.IsLightPredicted);
         }
 
-        // The pose stays current in these cases, because the difference from the calibrated L_visu is unknown, and may be zero. A limit is not needed
-        // while the runtime predicts the display times.
+        // Except at a low frame rate, the pose stays current in these cases, because the difference from the calibrated L_visu is unknown, and may be
+        // zero. A limit is not needed while the runtime predicts the display times.
         static string ProblemOf(RangeUnknownReason reason, bool isPredicted)
         {
             switch (reason)
             {
                 case RangeUnknownReason.LongerThanRefresh: return LongerThanRefresh;
+                case RangeUnknownReason.LowFrameRate: return LowFrameRate;
                 case RangeUnknownReason.BeyondMeasured: return BeyondMeasured;
                 case RangeUnknownReason.OtherSource when !isPredicted: return OtherSource;
                 case RangeUnknownReason.NoRenderTime when !isPredicted: return NoRenderTime;

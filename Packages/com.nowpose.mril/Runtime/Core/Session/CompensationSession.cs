@@ -207,9 +207,8 @@ namespace Nowpose.Session
         /// <summary>Computes the frame to display. Allocates nothing after the first calls.</summary>
         /// <param name="start">Headset time of the frame's start.</param>
         /// <param name="isLast">
-        /// False if the frame is computed again before it is rendered, see <see cref="SessionSettings.RewriteBeforeRender"/>. Predicted
-        /// display times are compared with L_visu only in the last computation, because L_visu is calibrated for it. Only that one is displayed, scored and
-        /// recorded.
+        /// False if the frame is computed again before it is rendered, see <see cref="SessionSettings.RewriteBeforeRender"/>. L_visu is calibrated
+        /// for the last computation, so only that one is compared with predicted display times, displayed, scored and recorded.
         /// </param>
         /// <returns>The session's own frame, which the next tick overwrites.</returns>
         public DisplayFrame Tick(HeadsetTime start, bool isLast = true)
@@ -219,6 +218,7 @@ namespace Nowpose.Session
                 var clock = _displayClock.Follow(_synchroniser.ModelAt(start), start);
                 if (_displayClock.IsRestarted) Restart(start, clock);
                 Robots.Take(clock);
+                if (isLast) _display.Started(start);
                 var displayTime = _display.Selector.LightOf(start, isComparable: isLast && _display.RenderTimes.State != RangeState.Outside);
                 var onControlClock = clock.IsKnown ? clock.ToControl(displayTime) : (ControlTime?)null;
                 var isTrusted = Settings.Clock.Trusts(clock);

@@ -26,8 +26,8 @@ namespace Nowpose.Session
         Held,
 
         /// <summary>
-        /// The render time is outside the constant-latency range, so that frames appear later than calibrated, by an unknown amount. The
-        /// pose is computed like a current pose, unless the settings require a held pose, see <see cref="OutsideRangeResponse"/>.
+        /// The render time is outside the constant-latency range, or frames miss refreshes, so that frames appear later than calibrated, by an
+        /// unknown amount. The pose is computed like a current pose, unless the settings require a held pose, see <see cref="OutsideRangeResponse"/>.
         /// </summary>
         OutsideRange,
 

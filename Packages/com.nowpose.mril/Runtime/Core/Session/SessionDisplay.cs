@@ -7,7 +7,10 @@ using Nowpose.Latency.DisplayTime;
 namespace Nowpose.Session
 {
     /// <summary>Display settings of a session: L_visu, the constant-latency range, and the conditions of the device.</summary>
-    /// <remarks>All members are thread-safe except <see cref="Selector"/> and <see cref="RenderTimes"/>, which need the session's lock.</remarks>
+    /// <remarks>
+    /// All members are thread-safe except <see cref="Selector"/>, <see cref="RenderTimes"/> and <see cref="Started"/>, which need the session's
+    /// lock.
+    /// </remarks>
     sealed class SessionDisplay
     {
         readonly SessionSettings _settings;
@@ -99,16 +102,28 @@ namespace Nowpose.Session
             }
         }
 
+        /// <summary>Adds the start of a frame that is displayed. Needs the session's lock.</summary>
+        public void Started(HeadsetTime start)
+        {
+            FollowRefreshRate();
+            RenderTimes.AddStart(start);
+        }
+
         public void Rendered(TimeSpan renderTime, RenderTimeSourceKind source)
         {
             lock (_gate)
             {
-                // The device's report takes precedence over the profile.
-                var hertz = _conditions.Conditions.DisplayHz ?? Selector.Profile?.Conditions.DisplayHz;
-                RenderTimes.RefreshInterval = hertz is double rate ? new TimeSpan((long)(TimeSpan.TicksPerSecond / rate)) : (TimeSpan?)null;
+                FollowRefreshRate();
                 RenderTimes.Add(renderTime, source);
                 _newestRenderTime = source != RenderTimeSourceKind.None && renderTime > TimeSpan.Zero ? renderTime : (TimeSpan?)null;
             }
+        }
+
+        // The device's report takes precedence over the profile.
+        void FollowRefreshRate()
+        {
+            var hertz = _conditions.Conditions.DisplayHz ?? Selector.Profile?.Conditions.DisplayHz;
+            RenderTimes.RefreshInterval = hertz is double rate ? new TimeSpan((long)(TimeSpan.TicksPerSecond / rate)) : (TimeSpan?)null;
         }
     }
 }

@@ -102,7 +102,7 @@ namespace Nowpose.Session
         /// <summary>Whether L_visu has its calibrated value.</summary>
         public RangeState Range { get; internal set; }
 
-        /// <summary>Reason why <see cref="Range"/> is unknown.</summary>
+        /// <summary>Reason why <see cref="Range"/> is unknown, or outside at any render time.</summary>
         internal RangeUnknownReason RangeUnknownReason { get; set; }
 
         /// <summary>

@@ -18,6 +18,10 @@ namespace Nowpose.Unity.Messages
         public const string BeyondRange =
             "render time beyond the constant-latency range; poses are late by an unknown time; reduce the load of the scene";
 
+        public const string RefreshesMissed =
+            "frames miss refreshes of the display; poses are late by an unknown time; reduce the load of scene and scripts, and end recording or "
+            + "streaming";
+
         public const string LatenciesDiffer =
             "display times of the runtime and the calibrated L_visu differ by more than 5 ms; calibrate again";
 

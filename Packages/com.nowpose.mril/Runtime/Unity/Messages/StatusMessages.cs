@@ -69,7 +69,7 @@ namespace Nowpose.Unity.Messages
             }
         }
 
-        /// <returns>Null if the range is known.</returns>
+        /// <returns>Null if the render time determines the range.</returns>
         public static string Of(RangeUnknownReason reason)
         {
             switch (reason)
@@ -78,7 +78,8 @@ namespace Nowpose.Unity.Messages
                 case RangeUnknownReason.NoRenderTime: return "not measured";
                 case RangeUnknownReason.TooFewFrames: return "measuring";
                 case RangeUnknownReason.OtherSource: return StateNames.OtherSourceLimit;
-                case RangeUnknownReason.LongerThanRefresh: return StateNames.FramesMissRefreshes;
+                case RangeUnknownReason.LongerThanRefresh:
+                case RangeUnknownReason.LowFrameRate: return StateNames.FramesMissRefreshes;
                 case RangeUnknownReason.BeyondMeasured: return StateNames.BeyondMeasured;
                 default: return null;
             }

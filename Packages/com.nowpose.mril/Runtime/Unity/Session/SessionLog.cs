@@ -59,7 +59,7 @@ namespace Nowpose.Unity.Session
             if ((change & SessionChange.EnteredRange) != 0)
                 Debug.Log(ConsoleLog.Prefix + SessionMessages.WithinRange, _context);
             if ((change & SessionChange.LeftRange) != 0)
-                Debug.LogWarning(ConsoleLog.Prefix + SessionMessages.BeyondRange, _context);
+                Debug.LogWarning(ConsoleLog.Prefix + ReasonOutside(statistics), _context);
             if ((change & SessionChange.DisplayTimeInconsistent) != 0)
                 Debug.LogWarning(
                     ConsoleLog.Prefix + SessionMessages.LatenciesDiffer, _context);
@@ -68,6 +68,9 @@ namespace Nowpose.Unity.Session
                 Debug.Log(ConsoleLog.Prefix + SessionMessages.PlausibleAgain, _context);
             if ((change & SessionChange.Stale) != 0) Warn(SessionMessages.Stale(MissingJointsOf(statistics)));
         }
+
+        static string ReasonOutside(SessionStatistics statistics) =>
+            statistics?.RangeUnknownReason == RangeUnknownReason.LowFrameRate ? SessionMessages.RefreshesMissed : SessionMessages.BeyondRange;
 
         void Begin(CompensationSession session)
         {

@@ -24,7 +24,10 @@ namespace Nowpose.Session.Hindcast
         /// <summary>A limit is known, but the render time is not measured, so late frames cannot be detected.</summary>
         NoRenderTime,
 
-        /// <summary>No range is known, and the display's GPU time is above its refresh interval. Runtimes predict the display time of frames in time.</summary>
+        /// <summary>
+        /// Frames miss refreshes: their rate is too low, or no range is known, and the display's GPU time is above its refresh interval. Runtimes
+        /// predict the display time of frames in time.
+        /// </summary>
         LongerThanRefresh,
 
         /// <summary>
@@ -39,14 +42,14 @@ namespace Nowpose.Session.Hindcast
         /// <param name="isPredicted">Whether the runtime predicts the display times. Predicted display times do not depend on the profile.</param>
         public static ErrorWithheldReason ReasonOf(ConstantLatencyMonitor renderTimes, bool isPredicted)
         {
-            if (renderTimes.State == RangeState.Outside) return ErrorWithheldReason.OutsideRange;
             switch (renderTimes.UnknownReason)
             {
                 case RangeUnknownReason.BeyondMeasured: return ErrorWithheldReason.BeyondMeasured;
-                case RangeUnknownReason.LongerThanRefresh: return ErrorWithheldReason.LongerThanRefresh;
+                case RangeUnknownReason.LongerThanRefresh:
+                case RangeUnknownReason.LowFrameRate: return ErrorWithheldReason.LongerThanRefresh;
                 case RangeUnknownReason.OtherSource when !isPredicted: return ErrorWithheldReason.OtherSource;
                 case RangeUnknownReason.NoRenderTime when !isPredicted: return ErrorWithheldReason.NoRenderTime;
-                default: return ErrorWithheldReason.None;
+                default: return renderTimes.State == RangeState.Outside ? ErrorWithheldReason.OutsideRange : ErrorWithheldReason.None;
             }
         }
 

@@ -2,8 +2,10 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Latency;
+using Nowpose.Latency.Conditions;
 using Nowpose.Network;
 using Nowpose.Session;
+using Nowpose.Session.Hindcast;
 using Nowpose.Simulation;
 using NUnit.Framework;
 
@@ -42,6 +44,75 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(high.Skip(10), Is.Not.Empty.And.All.EqualTo(PoseState.OutsideRange));
             Assert.That(range, Is.EqualTo(RangeState.Outside));
             Assert.That(fallen.Skip(40), Is.Not.Empty.And.All.EqualTo(PoseState.Current));
+        }
+
+        // The system can halve the frame rate at a short render time, for example during a mixed reality capture.
+        [TestCase(2, true)]
+        [TestCase(4, true)]
+        [TestCase(2, false)]
+        public void Tick_FramesMissRefreshes_PoseIsNotCurrentUntilTheRateReturns(int refreshes, bool hasRange)
+        {
+            var simulated = Session(hasRange ? Range : null);
+            simulated.Session.Conditions = new DisplayConditions(displayHz: 60);
+            simulated.Run(10);
+
+            var full = Run(simulated, 10, RenderTimeSourceKind.DisplayGpuTime);
+            simulated.FrameSeconds = refreshes / 60.0;
+            var slow = Run(simulated, 10, RenderTimeSourceKind.DisplayGpuTime);
+            var statistics = simulated.Session.Statistics(HeadsetTime.FromSeconds(simulated.Now));
+            simulated.FrameSeconds = 1 / 60.0;
+            var returned = Run(simulated, 10, RenderTimeSourceKind.DisplayGpuTime);
+
+            Assert.That(full, Is.Not.Empty.And.All.EqualTo(PoseState.Current));
+            Assert.That(slow.Skip(9), Is.Not.Empty.And.All.EqualTo(PoseState.OutsideRange));
+            Assert.That(statistics.Range, Is.EqualTo(RangeState.Outside));
+            Assert.That(statistics.RangeUnknownReason, Is.EqualTo(RangeUnknownReason.LowFrameRate));
+            Assert.That(statistics.ErrorWithheld, Is.EqualTo(ErrorWithheldReason.LongerThanRefresh));
+            Assert.That(returned.Skip(45), Is.Not.Empty.And.All.EqualTo(PoseState.Current));
+        }
+
+        [Test]
+        public void Tick_RefreshRateUnknown_PoseStaysCurrentAtAnyFrameRate()
+        {
+            var simulated = Session(Range);
+            simulated.FrameSeconds = 1 / 15.0;
+            simulated.Run(10);
+
+            Assert.That(Run(simulated, 10, RenderTimeSourceKind.DisplayGpuTime), Is.Not.Empty.And.All.EqualTo(PoseState.Current));
+        }
+
+        [TestCase(0, RangeState.Unknown)]
+        [TestCase(5, RangeState.Unknown)]
+        [TestCase(15, RangeState.Outside)]
+        public void Tick_SomeOfFifteenFramesAreLate_IsOutsideOnlyIfMostAre(int late, RangeState state)
+        {
+            var session = Session(null).Session;
+            session.Conditions = new DisplayConditions(displayHz: 60);
+            var (now, frame) = (HeadsetTime.FromSeconds(1), (DisplayFrame)null);
+
+            for (var i = 0; i < 150; i++)
+            {
+                now += Lengths.Ms(i % 15 < late ? 33 : 17);
+                frame = session.Tick(now);
+            }
+
+            Assert.That(frame.Range, Is.EqualTo(state));
+        }
+
+        [Test]
+        public void Tick_FramesComputedTwice_CountOnce()
+        {
+            var session = Session(null).Session;
+            session.Conditions = new DisplayConditions(displayHz: 60);
+            var (now, frame) = (HeadsetTime.FromSeconds(1), (DisplayFrame)null);
+
+            for (var i = 0; i < 30; i++)
+            {
+                session.Tick(now += Lengths.Ms(28), isLast: false);
+                frame = session.Tick(now += Lengths.Ms(5));
+            }
+
+            Assert.That(frame.Range, Is.EqualTo(RangeState.Outside));
         }
 
         [Test]

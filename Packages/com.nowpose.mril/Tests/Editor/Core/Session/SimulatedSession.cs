@@ -13,12 +13,11 @@ using Nowpose.Tests.Core.Sync;
 namespace Nowpose.Tests.Core.Session
 {
     /// <summary>
-    /// Simulates a whole session in virtual time, with a moving robot, a network, two clocks and frames at 60 fps. The simulation never waits
-    /// in real time, and all random numbers are seeded.
+    /// Simulates a whole session in virtual time, with a moving robot, a network, two clocks and frames at 60 fps by default. The simulation never
+    /// waits in real time, and all random numbers are seeded.
     /// </summary>
     sealed class SimulatedSession
     {
-        const double FrameSeconds = 1 / 60.0;
         const double SampleSeconds = 0.05;
         static readonly TimeSpan Visualisation = TimeSpan.FromMilliseconds(40);
 
@@ -61,6 +60,9 @@ namespace Nowpose.Tests.Core.Session
 
         /// <summary>Name of the joint that samples do not contain; null if samples contain all joints.</summary>
         public string SilentJoint { get; set; }
+
+        /// <summary>Time between two frames, s.</summary>
+        public double FrameSeconds { get; set; } = 1 / 60.0;
 
         public double Now { get; private set; }
 

@@ -22,6 +22,7 @@ namespace Nowpose.Tests.Unity.Status
             Assert.That(MessageOf(new SessionStatistics { SampleLink = LinkStatus.ConnectedWith("the name is taken") }), Is.EqualTo("! the name is taken"));
 
         [TestCase(RangeUnknownReason.LongerThanRefresh, true, true)]
+        [TestCase(RangeUnknownReason.LowFrameRate, true, true)]
         [TestCase(RangeUnknownReason.BeyondMeasured, true, true)]
         [TestCase(RangeUnknownReason.OtherSource, false, true)]
         [TestCase(RangeUnknownReason.OtherSource, true, false)]

@@ -202,6 +202,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(RangeState.Unknown, RangeUnknownReason.NoRenderTime, "–|not measured")]
         [TestCase(RangeState.Unknown, RangeUnknownReason.TooFewFrames, "–|measuring")]
         [TestCase(RangeState.Unknown, RangeUnknownReason.LongerThanRefresh, "–|" + StateNames.FramesMissRefreshes)]
+        [TestCase(RangeState.Outside, RangeUnknownReason.LowFrameRate, "! outside|" + StateNames.FramesMissRefreshes)]
         [TestCase(RangeState.Unknown, RangeUnknownReason.BeyondMeasured, "–|" + StateNames.BeyondMeasured)]
         [TestCase(RangeState.Unknown, RangeUnknownReason.OtherSource, "–|" + StateNames.OtherSourceLimit)]
         public void Update_Range_ShowsTheReasonIfUnknown(RangeState range, object reason, string expected)
@@ -276,7 +277,7 @@ namespace Nowpose.Tests.Unity.Status
             var texts = new StatusTexts();
             for (var pose = PoseState.Incomplete; pose <= PoseState.Current; pose++)
                 for (var clock = ClockState.Unsynchronised; clock <= ClockState.Holdover; clock++)
-                    for (var reason = RangeUnknownReason.None; reason <= RangeUnknownReason.LongerThanRefresh; reason++)
+                    for (var reason = RangeUnknownReason.None; reason <= RangeUnknownReason.LowFrameRate; reason++)
                     {
                         var model = new ClockModel(default, default, 0, Ms(0.35), clock);
                         texts.Update(new SessionStatistics { SettledPose = pose, Clock = model, RangeUnknownReason = reason }, Plain, "", null);
