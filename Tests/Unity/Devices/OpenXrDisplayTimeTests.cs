@@ -1,4 +1,5 @@
 using Nowpose.Latency;
+using Nowpose.Latency.Profile;
 using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
@@ -9,6 +10,8 @@ namespace Nowpose.Unity.Tests.Devices;
 /// <summary>Tests that the session uses the display time that the OpenXR runtime predicts.</summary>
 public sealed class OpenXrDisplayTimeTests
 {
+    static readonly LatencyProfile Profile = new(CalibratedMs, 1, "", 0, DateTime.UnixEpoch, CalibrationMethod.Nudge, 3);
+
     PlayedDisplayTime _played;
 
     [SetUp]
@@ -64,10 +67,12 @@ public sealed class OpenXrDisplayTimeTests
         Assert.That(_played.Session.Statistics.IsLightPredicted);
     }
 
-    [Test]
-    public void DisplayTime_DiffersFromTheCalibration_UsesTheRuntimeAndReportsTheDifference()
+    [TestCase(false)]
+    [TestCase(true)]
+    public void DisplayTime_DiffersFromTheSetValue_UsesTheRuntimeAndReportsTheDifference(bool isCalibrated)
     {
         _played.Play();
+        if (isCalibrated) _played.Session.Session.Calibrate(Profile);
         _played.Runtime.LightOf = _ => _played.Cell.Clock.Read + TimeSpan.FromMilliseconds(47);
 
         _played.Run(4);
@@ -75,7 +80,9 @@ public sealed class OpenXrDisplayTimeTests
         Assert.That(_played.Session.Statistics.IsDisplayTimeInconsistent);
         Assert.That(_played.Session.Statistics.DisplayTimeDifference.Value.TotalMilliseconds, Is.EqualTo(7).Within(0.01));
         Assert.That(_played.Session.Statistics.VisualisationLatency.TotalMilliseconds, Is.EqualTo(47).Within(0.01));
-        Assert.That(_played.Cell.Messages.Count(m => m.Contains(SessionMessages.LatenciesDiffer)), Is.EqualTo(1));
+        Assert.That(_played.Cell.Messages.Count(m => m.Contains(SessionMessages.LatenciesDiffer)), Is.EqualTo(isCalibrated ? 1 : 0));
+        Assert.That(
+            _played.Cell.Messages.Count(m => m.Contains(SessionMessages.LatencyNotVerified(47, CalibratedMs))), Is.EqualTo(isCalibrated ? 0 : 1));
     }
 
     [Test]

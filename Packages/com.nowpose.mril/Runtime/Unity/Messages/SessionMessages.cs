@@ -1,3 +1,5 @@
+using System;
+
 namespace Nowpose.Unity.Messages
 {
     /// <summary>Messages in Unity's console about changes of a session.</summary>
@@ -24,6 +26,12 @@ namespace Nowpose.Unity.Messages
 
         public const string LatenciesDiffer =
             "display times of the runtime and the calibrated L_visu differ by more than 5 ms; calibrate again";
+
+        /// <param name="predictedMs">Time from the start of a frame to its display time, as the runtime predicts it.</param>
+        /// <param name="setMs">L_visu of the settings.</param>
+        public static string LatencyNotVerified(double predictedMs, double setMs) =>
+            FormattableString.Invariant($"the runtime predicts an L_visu of {predictedMs:0.#} ms, and the settings contain {setMs:0.#} ms; ")
+            + "the runtime's value is used; calibrate L_visu to verify it";
 
         public const string PlausibleAgain = "display times of the runtime are plausible again and are used";
 

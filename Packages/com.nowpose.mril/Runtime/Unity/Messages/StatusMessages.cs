@@ -34,6 +34,7 @@ namespace Nowpose.Unity.Messages
         public const string LatencySet = "as set";
         public const string LatenciesDiffer = "runtime and calibration differ";
         public const string LatencyPredicted = "predicted by the runtime";
+        public const string LatencyNotVerified = "predicted, not verified";
         public const string RenderingTooLong = "rendering takes too long";
         public const string TooFewSamples = "too few recent samples";
         public const string JointWithoutSamples = "a joint has no samples";

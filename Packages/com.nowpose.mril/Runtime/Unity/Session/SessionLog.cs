@@ -47,7 +47,7 @@ namespace Nowpose.Unity.Session
         }
 
         /// <summary>
-        /// Logs a change of state. Allocates only for implausible display times and for joints without data; the other messages are constants.
+        /// Logs a change of state. Allocates only for display times and for joints without data; the other messages are constants.
         /// </summary>
         /// <param name="session">The session; null if it has ended.</param>
         /// <param name="statistics">Statistics of the frame with the change; null if the session has ended.</param>
@@ -60,9 +60,7 @@ namespace Nowpose.Unity.Session
                 Debug.Log(ConsoleLog.Prefix + SessionMessages.WithinRange, _context);
             if ((change & SessionChange.LeftRange) != 0)
                 Debug.LogWarning(ConsoleLog.Prefix + ReasonOutside(statistics), _context);
-            if ((change & SessionChange.DisplayTimeInconsistent) != 0)
-                Debug.LogWarning(
-                    ConsoleLog.Prefix + SessionMessages.LatenciesDiffer, _context);
+            if ((change & SessionChange.DisplayTimeInconsistent) != 0) LogDifference(session, statistics);
             if ((change & SessionChange.DisplayTimeImplausible) != 0) Warn(DisplayMessages.ImplausibleTimes(session?.DisplayTimeAhead));
             if ((change & SessionChange.DisplayTimePlausible) != 0)
                 Debug.Log(ConsoleLog.Prefix + SessionMessages.PlausibleAgain, _context);
@@ -71,6 +69,16 @@ namespace Nowpose.Unity.Session
 
         static string ReasonOutside(SessionStatistics statistics) =>
             statistics?.RangeUnknownReason == RangeUnknownReason.LowFrameRate ? SessionMessages.RefreshesMissed : SessionMessages.BeyondRange;
+
+        // Without a profile, L_visu may be the estimate of the settings, which nobody has measured.
+        void LogDifference(CompensationSession session, SessionStatistics statistics)
+        {
+            if (session == null || statistics == null) return;
+            var set = session.Visualisation.Length;
+            if (statistics.Profile != null) Warn(SessionMessages.LatenciesDiffer);
+            else if (set + statistics.DisplayTimeDifference is TimeSpan predicted)
+                Info(SessionMessages.LatencyNotVerified(predicted.TotalMilliseconds, set.TotalMilliseconds));
+        }
 
         void Begin(CompensationSession session)
         {

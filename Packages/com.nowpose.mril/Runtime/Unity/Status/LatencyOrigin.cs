@@ -19,7 +19,8 @@ namespace Nowpose.Unity.Status
         public string Of(SessionStatistics statistics)
         {
             if (statistics.IsDisplayTimeImplausible) return StatusMessages.LatencyImplausible;
-            if (statistics.IsDisplayTimeInconsistent) return StatusMessages.LatenciesDiffer;
+            if (statistics.IsDisplayTimeInconsistent)
+                return statistics.Profile != null ? StatusMessages.LatenciesDiffer : StatusMessages.LatencyNotVerified;
             if (statistics.IsLightPredicted) return StatusMessages.LatencyPredicted;
             if (statistics.Profile == null) return StatusMessages.LatencySet;
             if (statistics.Profile != _profile || statistics.ProfileMismatches != _mismatches)

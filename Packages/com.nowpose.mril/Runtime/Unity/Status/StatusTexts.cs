@@ -139,7 +139,8 @@ namespace Nowpose.Unity.Status
         {
             var percentile = statistics.ApplicationLatency95;
             Set(StatusRow.ApplicationLatency, Milliseconds.Of(statistics.ApplicationLatency), percentile.HasValue ? Percentiles.Of(percentile) : "");
-            var isUncertain = statistics.IsDisplayTimeInconsistent || statistics.IsDisplayTimeImplausible || DisplayMessages.IsMismatched(statistics);
+            var isUncertain = statistics.IsDisplayTimeImplausible || DisplayMessages.IsMismatched(statistics)
+                || (statistics.IsDisplayTimeInconsistent && statistics.Profile != null);
             var visualisation = isUncertain ? MarkedMilliseconds : Milliseconds;
             Set(StatusRow.VisualisationLatency, visualisation.Of(statistics.VisualisationLatency), _origin.Of(statistics));
             Set(StatusRow.RenderTime, Milliseconds.Of(statistics.RenderTime), RenderTimeNames.NameOf(statistics.RenderTimeSource));

@@ -164,14 +164,16 @@ namespace Nowpose.Tests.Unity.Status
             Assert.That(Row(StatusRow.VisualisationLatency, new SessionStatistics { VisualisationLatency = Ms(40.2), Profile = profile }), Is.EqualTo(expected));
         }
 
-        [TestCase(false, false, "47.0 ms|" + StatusMessages.LatencySet)]
-        [TestCase(true, false, "47.0 ms|" + StatusMessages.LatencyPredicted)]
-        [TestCase(true, true, "! 47.0 ms|" + StatusMessages.LatenciesDiffer)]
-        public void Update_VisualisationLatency_NamesItsSource(bool isPredicted, bool isInconsistent, string expected)
+        [TestCase(false, false, false, "47.0 ms|" + StatusMessages.LatencySet)]
+        [TestCase(true, false, false, "47.0 ms|" + StatusMessages.LatencyPredicted)]
+        [TestCase(true, true, false, "47.0 ms|" + StatusMessages.LatencyNotVerified)]
+        [TestCase(true, true, true, "! 47.0 ms|" + StatusMessages.LatenciesDiffer)]
+        public void Update_VisualisationLatency_NamesItsSource(bool isPredicted, bool isInconsistent, bool isCalibrated, string expected)
         {
             var statistics = new SessionStatistics
             {
                 VisualisationLatency = Ms(47), IsLightPredicted = isPredicted, IsDisplayTimeInconsistent = isInconsistent,
+                Profile = isCalibrated ? new LatencyProfile(40, 1, "", 0, DateTime.UnixEpoch, CalibrationMethod.Nudge, 3) : null,
             };
             Assert.That(Row(StatusRow.VisualisationLatency, statistics), Is.EqualTo(expected));
         }
