@@ -85,6 +85,17 @@ public sealed class OpenXrDisplayTimeTests
             _played.Cell.Messages.Count(m => m.Contains(SessionMessages.LatencyNotVerified(47, CalibratedMs))), Is.EqualTo(isCalibrated ? 0 : 1));
     }
 
+    [TestCase(false, 1)]
+    [TestCase(true, 0)]
+    public void DisplayTime_RewriteBeforeRenderOff_IsReportedOnce(bool isRewritten, int reports)
+    {
+        _played.Play(isRewritten);
+
+        _played.Run(2);
+
+        Assert.That(_played.Cell.Messages.Count(m => m.Contains(DeviceMessages.NotRewritten(_played.Component.name))), Is.EqualTo(reports));
+    }
+
     [Test]
     public void OnDisable_AnotherSourceAssigned_KeepsThatSource()
     {

@@ -25,6 +25,29 @@ public sealed class AndroidChecksTests : EditorFixture
         return ProjectChecks.For(platform).Single(check => check.Title == CheckTitles.ScriptingBackend).Look(settings).State;
     }
 
+    // Without a depth buffer, the display of a Magic Leap 2 corrects for the motion of the head at one distance only.
+    [TestCase("Depth Submission Mode", "Depth 16 Bit")]
+    [TestCase("Latency Optimization", "Prioritize Rendering")]
+    public void Checks_ForAndroid_AdviseOpenXrOptions(string option, string value)
+    {
+        OpenXrAssets.Put(Keep, BuildTargetGroup.Android);
+        var check = ProjectChecks.For(HeadsetPlatform.AndroidHeadset).SingleOrDefault(each => each.Title == CheckTitles.OpenXrOption(option, value));
+
+        Assert.That(check, Is.Not.Null);
+        Assert.That(check.Look(new UnityProjectSettings(HeadsetPlatform.AndroidHeadset)).State, Is.EqualTo(CheckState.Advice));
+    }
+
+    // The option exists in version 1.15 and newer of the OpenXR plug-in.
+    [Test]
+    public void LatencyOptimization_OlderPlugIn_IsGood()
+    {
+        var check = ProjectChecks.ForHoloLens()
+            .SingleOrDefault(each => each.Title == CheckTitles.OpenXrOption("Latency Optimization", "Prioritize Rendering"));
+
+        Assert.That(check, Is.Not.Null);
+        Assert.That(check.Look(new UnityProjectSettings(HeadsetPlatform.HoloLens2)).State, Is.EqualTo(CheckState.Good));
+    }
+
     // Passthrough shows the real robot only where the camera's picture has alpha 0.
     [Test]
     public void Checks_ForAndroid_ContainTheBackgroundOfTheCamera() =>

@@ -4,7 +4,7 @@ using UnityEngine;
 namespace Nowpose.Unity.Tests.Editor;
 
 /// <summary>
-/// Creates OpenXR settings with the serialised fields of com.unity.xr.openxr 1.13. As in a new project, no feature is enabled.
+/// Creates OpenXR settings with the serialised fields of com.unity.xr.openxr 1.15. As in a new project, no feature is enabled.
 /// </summary>
 static class OpenXrAssets
 {
@@ -30,6 +30,7 @@ static class OpenXrAssets
         var settings = New<OpenXRSettings>(keep);
         settings.m_renderMode = 0;
         settings.m_depthSubmissionMode = 2;
+        settings.m_latencyOptimization = 1;
         settings.features = [null, .. Features.Select(id => Feature(keep, id))];
         return settings;
     }
@@ -55,6 +56,7 @@ static class OpenXrAssets
         public List<OpenXRFeature> features;
         public int m_renderMode;
         public int m_depthSubmissionMode;
+        public int m_latencyOptimization;
     }
 
     public sealed class OpenXRFeature : ScriptableObject

@@ -55,6 +55,9 @@ namespace Nowpose.Editor.Messages
         public const string EyeGaze = "Needed by MRTK3 to select a button by looking at it and pinching.";
         public const string DepthSubmission =
             "The headset stabilises the image with the depth of the scene. A 24-bit depth buffer is slower and hardly improves the image.";
+        public const string LatencyOptimization =
+            "Unity then waits for the display right before rendering, and L_visu does not depend on the processor time of your scripts. Calibrate "
+            + "again after a change.";
         public const string InternetClient = "Needed to connect to a gateway on another network or by its public address.";
         public const string PrivateNetwork = "Needed to connect to a gateway on the same private network, which is the usual case.";
         public const string WebCam = "Needed to find the robot's base by a marker with the headset's camera.";

@@ -34,6 +34,7 @@ namespace Nowpose.Editor.Messages
         public const string NoFeature = "the project does not have this feature yet: the feature's package adds it when OpenXR is ticked";
         public const string NoLoader = "OpenXR is not ticked";
         public const string NoXrSettings = "the project has no settings for XR plug-ins yet";
+        public const string NoLatencyOptimization = "not found; version 1.15 and newer of Unity's OpenXR plug-in have this setting";
         public const string NoOpenXrSettings = "the project has no OpenXR settings yet";
 
         public static string OrNewer(Version below) => $" or newer, but older than {below}";

@@ -32,25 +32,27 @@ namespace Nowpose.Editor.Setup
             },
             "Tick " + name, project => project.TurnFeatureOn(id) ? null : OpenSettings(project, CheckFixes.Feature(name)));
 
-        /// <summary>Checks whether an enumeration setting of OpenXR has its value 1.</summary>
+        /// <summary>Checks the value of an enumeration setting of OpenXR.</summary>
         /// <param name="title">Title of the setting in the settings window.</param>
         /// <param name="why">Purpose of the requirement.</param>
         /// <param name="field">Serialised name of the setting.</param>
         /// <param name="names">Names of all values, indexed by their number.</param>
-        public static ProjectCheck Option(string title, string why, string field, string[] names)
-        {
-            const int wanted = 1;
-            return new ProjectCheck(CheckTitles.OpenXrOption(title, names[wanted]), why,
+        /// <param name="wanted">Number of the required value.</param>
+        /// <param name="without">State of a project with another value.</param>
+        /// <param name="absent">Result if the project does not have the setting; null for a missing requirement.</param>
+        public static ProjectCheck Option(
+            string title, string why, string field, string[] names, int wanted, CheckState without = CheckState.Missing,
+            CheckResult? absent = null) =>
+            new ProjectCheck(CheckTitles.OpenXrOption(title, names[wanted]), why,
                 project =>
                 {
-                    if (!(project.OpenXrOption(field) is int value)) return CheckResult.Missing(CheckResults.NoOpenXrSettings);
+                    if (!(project.OpenXrOption(field) is int value)) return absent ?? new CheckResult(without, CheckResults.NoOpenXrSettings);
                     var name = value >= 0 && value < names.Length ? names[value] : FormattableString.Invariant($"unknown value {value}");
-                    return value == wanted ? CheckResult.Good(name) : CheckResult.Missing(name + " is chosen");
+                    return value == wanted ? CheckResult.Good(name) : new CheckResult(without, name + " is chosen");
                 },
                 "Use " + names[wanted],
                 project => project.ChooseOpenXrOption(field, wanted)
                     ? null : OpenSettings(project, CheckFixes.OpenXrOption(title, names[wanted])));
-        }
 
         static string OpenSettings(IProjectSettings project, string instruction)
         {

@@ -9,6 +9,7 @@ namespace Nowpose.Editor.Setup
     {
         static readonly string[] RenderModes = { "Multi-pass", "Single Pass Instanced" };
         static readonly string[] DepthModes = { "None", "Depth 16 Bit", "Depth 24 Bit" };
+        static readonly string[] LatencyOptimizations = { "Prioritize Rendering", "Prioritize Input Polling" };
 
         public static IReadOnlyList<ProjectCheck> For(HeadsetPlatform platform) =>
             platform == HeadsetPlatform.HoloLens2 ? ForHoloLens() : ForAndroid();
@@ -34,7 +35,8 @@ namespace Nowpose.Editor.Setup
                 CheckTitles.HandInteraction, CheckReasons.HandInteraction, "com.unity.openxr.feature.input.handtracking", CheckState.Advice),
             OpenXrChecks.Feature(CheckTitles.EyeGaze, CheckReasons.EyeGaze, "com.unity.openxr.feature.input.eyetracking", CheckState.Advice),
             RenderMode,
-            OpenXrChecks.Option("Depth Submission Mode", CheckReasons.DepthSubmission, "m_depthSubmissionMode", DepthModes),
+            DepthSubmission(CheckState.Missing),
+            LatencyOptimization,
             PlayerChecks.Capability(PlayerSettings.WSACapability.InternetClient, CheckReasons.InternetClient),
             PlayerChecks.Capability(PlayerSettings.WSACapability.PrivateNetworkClientServer, CheckReasons.PrivateNetwork),
             PlayerChecks.Capability(PlayerSettings.WSACapability.WebCam, CheckReasons.WebCam),
@@ -62,6 +64,8 @@ namespace Nowpose.Editor.Setup
             PackageChecks.Of("Input System", CheckReasons.InputSystem, ProjectNeeds.InputSystem),
             OpenXrChecks.Loader(HeadsetPlatform.AndroidHeadset),
             RenderMode,
+            DepthSubmission(CheckState.Advice),
+            LatencyOptimization,
             PlayerChecks.InternetAccess,
             PlayerChecks.FrameTiming,
             PlayerChecks.RunInBackground,
@@ -69,7 +73,14 @@ namespace Nowpose.Editor.Setup
             NativeWebSocket,
         };
 
-        static ProjectCheck RenderMode => OpenXrChecks.Option("Render Mode", CheckReasons.RenderMode, "m_renderMode", RenderModes);
+        static ProjectCheck RenderMode => OpenXrChecks.Option("Render Mode", CheckReasons.RenderMode, "m_renderMode", RenderModes, wanted: 1);
+
+        static ProjectCheck LatencyOptimization => OpenXrChecks.Option(
+            "Latency Optimization", CheckReasons.LatencyOptimization, "m_latencyOptimization", LatencyOptimizations, wanted: 0, CheckState.Advice,
+            CheckResult.Good(CheckResults.NoLatencyOptimization));
+
+        static ProjectCheck DepthSubmission(CheckState without) => OpenXrChecks.Option(
+            "Depth Submission Mode", CheckReasons.DepthSubmission, "m_depthSubmissionMode", DepthModes, wanted: 1, without);
 
         static ProjectCheck NativeWebSocket =>
             PackageChecks.Of("NativeWebSocket (optional)", CheckReasons.NativeWebSocket, ProjectNeeds.NativeWebSocket, CheckState.Advice);

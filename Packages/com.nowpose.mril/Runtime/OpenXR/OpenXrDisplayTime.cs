@@ -28,7 +28,7 @@ namespace Nowpose.OpenXR
 
         MrilSession _target;
         CounterPairing _pairing;
-        bool _isUnusable, _isMissing;
+        bool _isUnusable, _isMissing, _isNotRewritten;
 
         /// <summary>Opens the counter whose counts are the runtime's times. Tests replace it.</summary>
         internal Func<ICounter> OpenCounter { get; set; } = () => new WindowsPerformanceCounter();
@@ -93,6 +93,7 @@ namespace Nowpose.OpenXR
             _target = null;
             _isUnusable = false;
             _isMissing = false;
+            _isNotRewritten = false;
         }
 
         void Update()
@@ -102,6 +103,9 @@ namespace Nowpose.OpenXR
             if (isUnusable && !_isUnusable)
                 ConsoleLog.Warn(this, DeviceMessages.NoDisplayTime(name, DeviceMessages.OtherClock));
             _isUnusable = isUnusable;
+            var isNotRewritten = _target.Session != null && !_target.Session.Settings.RewriteBeforeRender;
+            if (isNotRewritten && !_isNotRewritten) ConsoleLog.Warn(this, DeviceMessages.NotRewritten(name));
+            _isNotRewritten = isNotRewritten;
         }
     }
 }

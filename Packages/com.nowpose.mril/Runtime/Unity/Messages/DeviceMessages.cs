@@ -71,6 +71,10 @@ namespace Nowpose.Unity.Messages
             "the session's clock does not read the performance counter; remove the script that sets HeadsetClock, "
             + "or implement IPerformanceCounterClock in the class of that clock";
 
+        public static string NotRewritten(string component) =>
+            $"display time '{component}': Rewrite Before Render is off, so the runtime predicts from the previous frame, and the pose of a late "
+            + "frame is one refresh behind; switch it on in the Session Settings";
+
         public static string NoDisplayTime(string component, string reason) => $"display time '{component}': {reason}; the calibrated L_visu is used";
 
         public static string DepthUnknown(string component, string reason) =>
