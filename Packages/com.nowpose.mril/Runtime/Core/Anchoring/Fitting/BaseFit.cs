@@ -78,6 +78,23 @@ namespace Nowpose.Anchoring.Fitting
             return (expected.DistanceTo(marker.Mean), expected.AngleTo(marker.Mean));
         }
 
+        /// <summary>Returns the mean angle by which the prints, each by its own angle, turn the base relative to the fitted base, in rad.</summary>
+        /// <remarks>
+        /// With several markers, mainly their positions determine the rotation, so this is the difference between what the positions and what the
+        /// prints show.
+        /// </remarks>
+        public static double CommonTurn(in RigidTransform fitted, IReadOnlyList<MarkerEstimate> markers, int without = -1)
+        {
+            var (back, sum, count) = (fitted.Inverse, default(Vector3D), 0);
+            for (var i = 0; i < markers.Count; i++)
+            {
+                if (i == without) continue;
+                sum += (back * markers[i].Mean * markers[i].InBase.Inverse).RotationVector();
+                count++;
+            }
+            return sum.Length / count;
+        }
+
         static (double X, double Y, double Z) Add((double X, double Y, double Z) sum, in RigidTransform pose, double weight) =>
             (sum.X + weight * pose.X, sum.Y + weight * pose.Y, sum.Z + weight * pose.Z);
 

@@ -75,7 +75,9 @@ namespace Nowpose.Anchoring.Tracking
         /// <summary>Returns the maximum misfit relative to the allowed misfit.</summary>
         static double Worst(IReadOnlyList<MarkerEstimate> markers, in RigidTransform fitted, int without, AnchoringSettings settings)
         {
-            double worst = 0;
+            // The tilts of prints are independent of each other, so their mean is smaller than each of them.
+            var count = without < 0 ? markers.Count : markers.Count - 1;
+            var worst = BaseFit.CommonTurn(fitted, markers, without) * Math.Sqrt(count) / (AngleFactor * settings.ToleranceRadians);
             for (var i = 0; i < markers.Count; i++)
             {
                 if (i == without) continue;

@@ -64,6 +64,45 @@ namespace Nowpose.Tests.Core.Anchoring
             }
         }
 
+        // Three positions always determine a plane, so that such an error leaves no misfit. The angles of all prints then contradict the plane.
+        [TestCase(0, 0.006)]
+        [TestCase(0, 0.008)]
+        [TestCase(0.012, 0)]
+        public void Tick_OffsetErrorThatTurnsTheBase_IsReported(double y, double z)
+        {
+            for (var seed = 1; seed <= 10; seed++)
+            {
+                var cell = SimulatedMarkers.Three(seed);
+                cell.Noisy();
+                cell.Shifted["a"] = RigidTransform.FromXyzRpy(0.1732, y, z, 0, 0, 0.4);
+
+                cell.Run(4);
+
+                Assert.That(cell.Tracker.Conflict?.Marker.Payload, Is.EqualTo("a"), "seed " + seed);
+                Assert.That(cell.Tracker.Conflict.Metres, Is.EqualTo(y + z).Within(0.002), "seed " + seed);
+                Assert.That(cell.Tracker.Lock.Markers, Is.EqualTo(2), "seed " + seed);
+                Assert.That(cell.ErrorAt(0.6).Metres, Is.LessThan(0.004), "seed " + seed);
+            }
+        }
+
+        // Angle errors of glued prints, which are independent of each other, are not a contradiction.
+        [Test]
+        public void Tick_PrintsTiltedByHalfADegreePerAxis_AgreeWithThePositions()
+        {
+            var conflicts = 0;
+            for (var seed = 1; seed <= 200; seed++)
+            {
+                var cell = SimulatedMarkers.Three(seed);
+                cell.Noisy();
+                cell.PrintDegrees = 0.5 * Math.Sqrt(3);
+
+                cell.RunUntilLocked(4);
+
+                if (cell.Tracker.Conflict != null) conflicts++;
+            }
+            Assert.That(conflicts, Is.LessThanOrEqualTo(3));
+        }
+
         [Test]
         public void Tick_MoreMarkersInView_ImprovesTheLock()
         {
