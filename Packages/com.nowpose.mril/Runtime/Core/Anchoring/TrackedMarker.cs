@@ -14,12 +14,15 @@ namespace Nowpose.Anchoring
         /// <summary>Minimum number of sightings for an estimate. Fewer sightings do not show the scatter.</summary>
         const int MinSightings = 8;
 
+        /// <summary>Minimum share of the poses that agree. If fewer agree, the source may report two poses in turn, of which one is wrong.</summary>
+        const double MinInlierShare = 0.75;
+
         /// <summary>Maximum age of sightings. Older sightings may show the marker in another position.</summary>
         static readonly TimeSpan MaxAge = TimeSpan.FromSeconds(15);
 
         readonly AnchoringSettings _settings;
         readonly PoseWindow _window = new PoseWindow();
-        HeadsetTime? _judged, _taken, _twice;
+        HeadsetTime? _judged, _taken, _twice, _alternated;
         SightingFault _counted;
         string _id;
         RigidTransform _pose;
@@ -90,6 +93,10 @@ namespace Nowpose.Anchoring
         /// <summary>Whether the newest estimate shows that the marker is moving.</summary>
         internal bool IsMoving => _mean is PoseMean mean && !mean.IsSteady(_settings.LockErrorMetres, _settings.LockErrorRadians);
 
+        /// <summary>Whether the poses have recently alternated between two. One of the two may be more frequent by chance for a short time.</summary>
+        internal bool IsAlternating =>
+            _alternated is HeadsetTime alternated && _window.Newest - alternated < TimeSpan.FromTicks(_settings.Settle.Ticks / 2);
+
         /// <summary>Returns whether an accepted sighting is current.</summary>
         internal bool IsFresh(HeadsetTime now) => _taken is HeadsetTime taken && now - taken <= _settings.Oldest;
 
@@ -144,7 +151,7 @@ namespace Nowpose.Anchoring
         {
             _window.Clear();
             Watch.Clear();
-            _mean = null;
+            (_mean, _alternated) = (null, null);
         }
 
         /// <summary>Resets the marker for a new search.</summary>
@@ -178,6 +185,7 @@ namespace Nowpose.Anchoring
             var count = Math.Max(_window.CountOver(_settings.Settle), MinSightings);
             if (!IsReady) return false;
             _mean = PoseMean.Of(_window, count, space);
+            if (_mean.Value.InlierShare < MinInlierShare && !IsMoving) _alternated = _window.Newest;
             var all = _window.CountSince(_window.Newest - MaxAge);
             if (!IsExact(_mean.Value) && all > count + MinSightings) _mean = PoseMean.Of(_window, all, space);
             var mean = _mean.Value;
@@ -187,7 +195,8 @@ namespace Nowpose.Anchoring
         }
 
         bool IsExact(in PoseMean mean) =>
-            mean.Inliers >= MinSightings && mean.ErrorMetres <= _settings.LockErrorMetres && mean.ErrorRadians <= _settings.LockErrorRadians
+            mean.Inliers >= MinSightings && mean.InlierShare >= MinInlierShare && !IsAlternating
+            && mean.ErrorMetres <= _settings.LockErrorMetres && mean.ErrorRadians <= _settings.LockErrorRadians
             && mean.IsSteady(_settings.LockErrorMetres, _settings.LockErrorRadians);
 
         SightingFault CheckPlace(in MarkerSighting sighting, HeadsetTime now, in RigidTransform? belongs)

@@ -22,6 +22,7 @@ namespace Nowpose.Messages
             $"{first} and {second} disagree by {difference}: measure their poses again";
 
         public static string Scatters(string marker, string spread) => $"the poses of {marker} scatter by {spread}: move closer and keep still";
+        public static string Alternates(string marker) => $"the poses of {marker} alternate between two: look at it from another angle";
         public static string Gathers(int inView, int count) => $"{inView} of {count} markers in view: keep looking at them";
         public static string Moving(string marker) => $"{marker} is moving: keep it and the robot still";
 

@@ -30,18 +30,22 @@ namespace Nowpose.Anchoring.Fitting
         readonly double _shiftMetres, _shiftRadians;
 
         PoseMean(
-            in RigidTransform pose, int inliers, double spreadMetres, double spreadRadians, double shiftMetres, double shiftRadians)
+            in RigidTransform pose, int inliers, double share, double spreadMetres, double spreadRadians, double shiftMetres, double shiftRadians)
         {
             _shiftMetres = shiftMetres;
             _shiftRadians = shiftRadians;
             Pose = pose;
             Inliers = inliers;
+            InlierShare = share;
             SpreadMetres = spreadMetres;
             SpreadRadians = spreadRadians;
         }
 
         public RigidTransform Pose { get; }
         public int Inliers { get; }
+
+        /// <summary>Fraction of the poses that are not outliers.</summary>
+        public double InlierShare { get; }
 
         /// <summary>Root mean square of the distances from the mean, m.</summary>
         public double SpreadMetres { get; }
@@ -110,7 +114,8 @@ namespace Nowpose.Anchoring.Fitting
             // The mean was computed from the same poses, so the scatter has one degree of freedom fewer in each direction.
             var free = Math.Max(inliers - 1, 1);
             var (shiftMetres, shiftRadians) = Shift(window, count, weights, mean, inliers);
-            return new PoseMean(mean, inliers, Math.Sqrt(metres / free), Math.Sqrt(radians / free), shiftMetres, shiftRadians);
+            return new PoseMean(
+                mean, inliers, (double)inliers / count, Math.Sqrt(metres / free), Math.Sqrt(radians / free), shiftMetres, shiftRadians);
         }
 
         /// <summary>Returns the difference between the means of the newer and the older half.</summary>

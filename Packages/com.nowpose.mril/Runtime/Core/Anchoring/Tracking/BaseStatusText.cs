@@ -77,6 +77,7 @@ namespace Nowpose.Anchoring.Tracking
                 var marker = tracker.Markers[i];
                 if (marker.IsFresh(now)) seen++;
                 if (!(marker.LastReported is HeadsetTime reported) || now - reported > InView) continue;
+                if (marker.IsFresh(now) && marker.IsReady && marker.IsAlternating) return new Subject(Kind.Alternates, marker.Marker);
                 if (marker.IsFresh(now) && marker.IsReady && marker.IsMoving) return new Subject(Kind.Moving, marker.Marker);
                 if (marker.IsFresh(now) && marker.IsReady && marker.SpreadMetres is double spread && spread > 0)
                     return new Subject(Kind.Scatters, marker.Marker, null, null, Mm(spread), Tenths(marker.SpreadRadians.Value));
@@ -118,6 +119,7 @@ namespace Nowpose.Anchoring.Tracking
                 case Kind.BeingPlaced: return BaseStatusMessages.BeingPlaced;
                 case Kind.Refused: return BaseStatusMessages.NotOfThisBase(MarkerName.Of((string)subject.First));
                 case Kind.Conflict: return BaseStatusMessages.Conflict(Name(subject.First), Name(subject.Second), off);
+                case Kind.Alternates: return BaseStatusMessages.Alternates(Name(subject.First));
                 case Kind.Scatters: return BaseStatusMessages.Scatters(Name(subject.First), off);
                 case Kind.Gathers: return BaseStatusMessages.Gathers(subject.A, tracker.Markers.Count);
                 case Kind.Ignored: return Name(subject.First) + " " + WhyIgnored((SightingFault)subject.Count);
@@ -174,7 +176,8 @@ namespace Nowpose.Anchoring.Tracking
 
         enum Kind
         {
-            Placed, BeingPlaced, Refused, Looking, Ignored, Gathers, Moving, Scatters, Conflict, Restored, Locked, Moved, Lost, Elsewhere, Removed,
+            Placed, BeingPlaced, Refused, Looking, Ignored, Gathers, Moving, Alternates, Scatters, Conflict, Restored, Locked, Moved, Lost,
+            Elsewhere, Removed,
         }
 
         /// <summary>Content of the status text. Equal contents produce equal strings.</summary>

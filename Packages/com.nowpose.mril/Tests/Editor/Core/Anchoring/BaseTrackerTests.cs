@@ -1,3 +1,4 @@
+using System;
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
 using Nowpose.Messages;
@@ -60,6 +61,22 @@ namespace Nowpose.Tests.Core.Anchoring
 
             Assert.That(cell.RunUntilLocked(5), Is.Null);
             Assert.That(cell.Tracker.Markers[0].SpreadMetres, Is.EqualTo(0.05).Within(0.01));
+        }
+
+        // A source that computes the pose from four corners may report two poses in turn, one of them tilted. The more frequent one may be wrong.
+        [TestCase(0.45)]
+        [TestCase(0.55)]
+        public void Tick_PosesAlternate_DoesNotLockAndStatesIt(double tilted)
+        {
+            var random = new Random(1);
+            var cell = SimulatedMarkers.One(1, 0.3);
+            (cell.NoiseMetres, cell.NoiseDegrees) = (0.002, 0.5);
+            cell.Change = sighting => random.NextDouble() > tilted ? sighting : new MarkerSighting(
+                sighting.Id, "a", sighting.Pose * PoseNumbers.Turn(0.35, 0, 0), 0, sighting.LastSeen, MarkerTracking.Tracking);
+
+            Assert.That(cell.RunUntilLocked(10), Is.Null);
+
+            Assert.That(cell.Tracker.Words, Is.EqualTo(BaseStatusMessages.Alternates(MarkerName.Of("a"))));
         }
 
         // A pose that is reported repeatedly counts as one sighting: repetitions carry no information about its accuracy.
