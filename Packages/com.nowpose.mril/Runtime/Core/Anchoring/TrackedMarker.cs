@@ -137,13 +137,17 @@ namespace Nowpose.Anchoring
         internal RigidTransform PlaceAt(in RigidTransform locked) => locked * (IsPart ? Locked.Mean : Marker.MarkerInBase);
 
         /// <summary>Compares the newest sighting with the expected pose.</summary>
-        internal void Compare(in RigidTransform locked)
+        internal void Compare(in RigidTransform locked) => Watch.Add(PlaceAt(locked), _pose, _taken.Value);
+
+        /// <summary>Decides whether the marker has moved.</summary>
+        /// <param name="common">Turn that the parts of the lock in view have in common.</param>
+        internal void Judge(in CommonTurn common)
         {
-            Watch.Add(PlaceAt(locked), _pose, _taken.Value);
             var metres = _settings.ToleranceMetres * (IsPart ? 1 : MarkerAgreement.MetresFactor);
             var radians = _settings.ToleranceRadians * (IsPart ? 1 : MarkerAgreement.AngleFactor);
-            if (Watch.IsBeyond(metres, radians)) HasMoved = true;
-            else if (Watch.IsWithin(metres, radians)) HasMoved = false;
+            var turn = IsPart ? common : Watch.Turn;
+            if (Watch.IsBeyond(metres, radians, turn)) HasMoved = true;
+            else if (Watch.IsWithin(metres, radians, turn)) HasMoved = false;
         }
 
         /// <summary>Removes the sightings and their results.</summary>

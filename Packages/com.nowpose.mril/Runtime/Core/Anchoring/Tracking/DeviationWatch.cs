@@ -16,7 +16,7 @@ namespace Nowpose.Anchoring.Tracking
         const double SdPerMedian = 1.4826, MedianPerMean = 1.2533;
 
         /// <summary>Minimum excess over the limit, in sd of the median. It prevents the state of a marker at the limit from alternating.</summary>
-        const double MinStandardErrors = 3;
+        public const double MinStandardErrors = 3;
 
         /// <summary>
         /// Recent: maximum age of the poses that are used. Oldest: maximum age of the poses that are added if there are too few recent ones, because a
@@ -28,13 +28,16 @@ namespace Nowpose.Anchoring.Tracking
         readonly HeadsetTime[] _times = new HeadsetTime[Capacity];
         readonly double[] _sorted = new double[Capacity];
         int _next, _count;
-        double _metresSd, _radiansSd;
+        double _metresSd;
 
         /// <summary>Whether there are enough recent poses; otherwise the other values are undefined.</summary>
         public bool IsKnown { get; private set; }
 
         public double Metres { get; private set; }
-        public double Radians { get; private set; }
+        public double Radians => Turn.Radians;
+
+        /// <summary>Rotation from the expected to the measured orientation, in the frame of the poses.</summary>
+        public CommonTurn Turn { get; private set; }
 
         public void Clear()
         {
@@ -47,7 +50,7 @@ namespace Nowpose.Anchoring.Tracking
         public void Add(in RigidTransform expected, in RigidTransform seen, HeadsetTime time)
         {
             var apart = expected.Inverse * seen;
-            var turn = apart.RotationVector();
+            var turn = (seen * expected.Inverse).RotationVector();
             var at = _next * Numbers;
             (_values[at], _values[at + 1], _values[at + 2]) = (apart.X, apart.Y, apart.Z);
             (_values[at + 3], _values[at + 4], _values[at + 5]) = (turn.X, turn.Y, turn.Z);
@@ -58,11 +61,13 @@ namespace Nowpose.Anchoring.Tracking
         }
 
         /// <summary>Returns whether the deviation exceeds the limits by more than its own uncertainty.</summary>
-        public bool IsBeyond(double metres, double radians) =>
-            IsKnown && (Metres > metres + MinStandardErrors * _metresSd || Radians > radians + MinStandardErrors * _radiansSd);
+        /// <param name="common">Turn that must exceed the limit too. The angles that a device reports drift independently of each other.</param>
+        public bool IsBeyond(double metres, double radians, in CommonTurn common) =>
+            IsKnown && (Metres > metres + MinStandardErrors * _metresSd || (Turn.IsBeyond(radians) && common.IsBeyond(radians)));
 
         /// <summary>Returns whether the deviation is clearly within the limits.</summary>
-        public bool IsWithin(double metres, double radians) => IsKnown && Metres < 0.7 * metres && Radians < 0.7 * radians;
+        public bool IsWithin(double metres, double radians, in CommonTurn common) =>
+            IsKnown && Metres < 0.7 * metres && (Turn.IsWithin(radians) || common.IsWithin(radians));
 
         void Update(HeadsetTime now)
         {
@@ -70,23 +75,28 @@ namespace Nowpose.Anchoring.Tracking
             while (count < _count && (now - TimeOf(count) <= Recent || (count < MinPoses && now - TimeOf(count) <= Oldest))) count++;
             IsKnown = count >= MinPoses;
             if (!IsKnown) return;
-            (Metres, _metresSd) = Middle(count, 0);
-            (Radians, _radiansSd) = Middle(count, 3);
+            var (apart, variance) = Middle(count, 0);
+            (Metres, _metresSd) = (apart.Length, Math.Sqrt(variance));
+            (apart, variance) = Middle(count, 3);
+            Turn = new CommonTurn(apart, variance, 1);
         }
 
-        (double Size, double Sd) Middle(int count, int first)
+        /// <summary>Returns the medians of three numbers of the newest poses, and the mean variance of these medians.</summary>
+        (Vector3D Medians, double Variance) Middle(int count, int first)
         {
-            double size = 0, variance = 0;
-            for (var number = first; number < first + 3; number++)
-            {
-                for (var back = 0; back < count; back++) _sorted[back] = _values[(_next - 1 - back + Capacity) % Capacity * Numbers + number];
-                var middle = PoseMeanSpace.SortToMedian(_sorted, count);
-                for (var i = 0; i < count; i++) _sorted[i] = Math.Abs(_sorted[i] - middle);
-                var sd = SdPerMedian * PoseMeanSpace.SortToMedian(_sorted, count);
-                size += middle * middle;
-                variance += sd * sd / 3;
-            }
-            return (Math.Sqrt(size), MedianPerMean * Math.Sqrt(variance / count));
+            var (x, varianceX) = Median(count, first);
+            var (y, varianceY) = Median(count, first + 1);
+            var (z, varianceZ) = Median(count, first + 2);
+            return (new Vector3D(x, y, z), (varianceX + varianceY + varianceZ) / 3);
+        }
+
+        (double Median, double Variance) Median(int count, int number)
+        {
+            for (var back = 0; back < count; back++) _sorted[back] = _values[(_next - 1 - back + Capacity) % Capacity * Numbers + number];
+            var median = PoseMeanSpace.SortToMedian(_sorted, count);
+            for (var i = 0; i < count; i++) _sorted[i] = Math.Abs(_sorted[i] - median);
+            var sd = MedianPerMean * SdPerMedian * PoseMeanSpace.SortToMedian(_sorted, count);
+            return (median, sd * sd / count);
         }
 
         HeadsetTime TimeOf(int back) => _times[(_next - 1 - back + Capacity) % Capacity];

@@ -80,9 +80,19 @@ namespace Nowpose.Anchoring.Tracking
                 var belongs = watched.HasValue ? marker.PlaceAt(watched.Value) : (RigidTransform?)null;
                 if (!marker.Take(sighting, now, head, belongs)) continue;
                 isAccepted = true;
-                if (watched is RigidTransform place && !marker.IsContradicted) marker.Compare(place);
+                if (!(watched is RigidTransform place) || marker.IsContradicted) continue;
+                marker.Compare(place);
+                marker.Judge(TurnOfParts(now));
             }
             return isAccepted;
+        }
+
+        CommonTurn TurnOfParts(HeadsetTime now)
+        {
+            var turn = default(CommonTurn);
+            foreach (var marker in _markers)
+                if (marker.IsPart && marker.Watch.IsKnown && marker.IsFresh(now)) turn = turn.And(marker.Watch.Turn);
+            return turn;
         }
     }
 }

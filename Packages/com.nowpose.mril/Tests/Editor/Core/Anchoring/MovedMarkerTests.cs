@@ -180,6 +180,47 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Locked));
         }
 
+        // The angles that a device reports drift independently of each other. A robot that turns, turns all its markers.
+        [TestCase(1, false)]
+        [TestCase(0, true)]
+        public void Tick_ThreePrintsTurn_IsReportedIfTheyTurnTogether(double apartDegrees, bool isMoved)
+        {
+            for (var seed = 1; seed <= 5; seed++)
+            {
+                var cell = SimulatedMarkers.Three(seed);
+                cell.Noisy();
+                Locked(cell);
+                var together = isMoved ? PoseNumbers.Turn(0, 0, Degree) : RigidTransform.Identity;
+                for (var i = 0; i < 3; i++)
+                {
+                    var (x, y) = (apartDegrees * Degree * Math.Cos(2 * Math.PI / 3 * i), apartDegrees * Degree * Math.Sin(2 * Math.PI / 3 * i));
+                    var place = cell.Tracker.Markers[i].Marker.MarkerInBase;
+                    cell.Shifted[cell.Tracker.Markers[i].Marker.Payload] =
+                        together * (PoseNumbers.Turn(x, y, 0) * place).MovedTo(place.X, place.Y, place.Z);
+                }
+
+                cell.Run(isMoved ? 1 : 10, () => Assert.That(isMoved || cell.Tracker.State == BaseAnchorState.Locked, Is.True, "seed " + seed));
+
+                var expected = isMoved ? BaseAnchorState.Moved : BaseAnchorState.Locked;
+                Assert.That(cell.Tracker.State, Is.EqualTo(expected), "seed " + seed);
+            }
+        }
+
+        [Test]
+        public void Tick_OnePrintInViewTurns_IsReported()
+        {
+            var cell = SimulatedMarkers.Three(1);
+            cell.Noisy();
+            Locked(cell);
+            cell.IsInView = payload => payload == "a";
+            cell.Run(3);
+
+            cell.Shifted["a"] = cell.Tracker.Markers[0].Marker.MarkerInBase * PoseNumbers.Turn(0, Degree, 0);
+            cell.Run(1);
+
+            Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Moved));
+        }
+
         [Test]
         public void Tick_OneOfThreeMarkersMoved_NamesTheMarker()
         {
