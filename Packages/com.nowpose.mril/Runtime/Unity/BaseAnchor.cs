@@ -162,24 +162,32 @@ namespace Nowpose.Unity
         /// <exception cref="ArgumentException">A value is not finite, or the rotation is zero.</exception>
         public void Place(Vector3 position, Quaternion rotation)
         {
-            var length = Mathf.Sqrt(Quaternion.Dot(rotation, rotation));
-            if (!float.IsFinite(position.x + position.y + position.z)) throw new ArgumentException(BaseMessages.PositionNotFinite(position), nameof(position));
-            if (!(length > 0) || float.IsInfinity(length)) throw new ArgumentException(BaseMessages.RotationInvalid(rotation), nameof(rotation));
-            transform.SetPositionAndRotation(
-                position, new Quaternion(rotation.x / length, rotation.y / length, rotation.z / length, rotation.w / length));
+            MoveTo(position, rotation);
             Tracker?.Place(UnityPoses.ToRoom(transform.position, transform.rotation));
             Moved?.Invoke();
             Notify();
         }
 
         /// <summary>Shifts the base frame along its own axes and rotates it about its own vertical axis.</summary>
+        /// <remarks>A lock stays, and the device stores the new pose. No marker changes the base until <see cref="Relock"/>.</remarks>
         /// <param name="metres">Offset to the robot's right (x), up (y) and forward (z), in metres.</param>
         /// <param name="degreesAboutUp">Rotation in degrees; positive is clockwise as seen from above.</param>
         /// <exception cref="ArgumentException">A value is not finite.</exception>
         public void Nudge(Vector3 metres, float degreesAboutUp)
         {
             if (!float.IsFinite(degreesAboutUp)) throw new ArgumentException(BaseMessages.AngleNotFinite(degreesAboutUp), nameof(degreesAboutUp));
-            Place(transform.position + transform.rotation * metres, transform.rotation * Quaternion.AngleAxis(degreesAboutUp, Vector3.up));
+            MoveTo(transform.position + transform.rotation * metres, transform.rotation * Quaternion.AngleAxis(degreesAboutUp, Vector3.up));
+            Tracker?.Nudge(UnityPoses.ToRoom(transform.position, transform.rotation));
+            Moved?.Invoke();
+            Notify();
+        }
+
+        void MoveTo(Vector3 position, Quaternion rotation)
+        {
+            var length = Mathf.Sqrt(Quaternion.Dot(rotation, rotation));
+            if (!float.IsFinite(position.x + position.y + position.z)) throw new ArgumentException(BaseMessages.PositionNotFinite(position), nameof(position));
+            if (!(length > 0) || float.IsInfinity(length)) throw new ArgumentException(BaseMessages.RotationInvalid(rotation), nameof(rotation));
+            transform.SetPositionAndRotation(position, new Quaternion(rotation.x / length, rotation.y / length, rotation.z / length, rotation.w / length));
         }
 
         void OnEnable()

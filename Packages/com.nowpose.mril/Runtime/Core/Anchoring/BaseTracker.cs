@@ -24,6 +24,7 @@ namespace Nowpose.Anchoring
         BaseAnchorState _state;
         HeadsetTime _now;
         RelockedFrom _former;
+        ISpatialAnchors _anchors;
         bool _hasNewSightings, _isHeldByHand, _wasLost;
 
         internal BaseTracker(AnchoringSettings settings)
@@ -136,7 +137,7 @@ namespace Nowpose.Anchoring
                 Begin();
                 _former = former;
             }
-            else if (_state == BaseAnchorState.Restored) Confirm();
+            else if (_state == BaseAnchorState.Restored) Take(LockReport.ByHand(Base.Value), isByHand: true);
             _words.Update(this, _now);
         }
 
@@ -148,6 +149,21 @@ namespace Nowpose.Anchoring
             _pose.Clear(at);
             (IsBeingPlaced, _isHeldByHand, _former) = (false, false, null);
             if (_state != BaseAnchorState.Searching || _markers.Count == 0) _state = BaseAnchorState.Placed;
+            _words.Update(this, _now);
+        }
+
+        /// <summary>Moves a known base by a small amount. The device holds and stores the new pose.</summary>
+        /// <remarks>A lock stays, and its markers are still monitored. No marker changes the base until <see cref="Relock"/>.</remarks>
+        /// <param name="at">New pose in the room frame.</param>
+        internal void Nudge(in RigidTransform at)
+        {
+            if (!IsKnown) Place(at);
+            if (!IsKnown) return;
+            var (by, isLocked) = (Base.Value.Inverse * at, State == BaseAnchorState.Locked);
+            if (isLocked) _markers.Nudge(by);
+            else _markers.Restart();
+            _pose.Jump(at);
+            Take(isLocked && Lock.Markers > 0 ? Lock.Nudged(at, by) : LockReport.ByHand(at), isByHand: true);
             _words.Update(this, _now);
         }
 
@@ -177,22 +193,22 @@ namespace Nowpose.Anchoring
         /// <param name="anchors">Anchors of the device; null if it has none.</param>
         internal void Tick(HeadsetTime now, IReadOnlyList<MarkerSighting> sightings, in RigidTransform? head, ISpatialAnchors anchors)
         {
-            _now = now;
+            (_now, _anchors) = (now, anchors);
             _hand.BeginFrame();
-            FollowPlace(anchors);
+            FollowPlace();
             var isReleased = IsBeingPlaced;
             for (var i = 0; i < sightings.Count; i++) isReleased &= !Take(sightings[i], now, head);
-            if (isReleased) LockByHand(anchors);
-            if (_hasNewSightings && !IsBeingPlaced && !_isHeldByHand && !IsLost) Judge(now, anchors);
+            if (isReleased) Take(LockReport.ByHand(Base.Value), isByHand: true);
+            if (_hasNewSightings && !IsBeingPlaced && !IsLost) Judge(now);
             if (_former?.Follow(now, _markers.All) == true) Return(_former);
             _pose.Follow(now);
             _words.Update(this, now);
         }
 
-        void FollowPlace(ISpatialAnchors anchors)
+        void FollowPlace()
         {
             var isOpen = _state == BaseAnchorState.Searching || _state == BaseAnchorState.Placed;
-            if (!Base.HasValue && isOpen) _place.Seek(anchors, Cell);
+            if (!Base.HasValue && isOpen) _place.Seek(_anchors, Cell);
             // The deviations of the sightings were measured in a map that is no longer valid.
             if (IsLost != _wasLost) _markers.RemoveSightings();
             _wasLost = IsLost;
@@ -216,7 +232,7 @@ namespace Nowpose.Anchoring
         {
             if (sighting.Tracking == MarkerTracking.Placed) return TakePlaced(sighting);
             LastReport = now;
-            _hasNewSightings |= _markers.Take(sighting, now, head, IsWatching ? Base : null);
+            _hasNewSightings |= _markers.Take(sighting, now, head, IsWatching ? Base : null, onlyParts: _isHeldByHand);
             return false;
         }
 
@@ -233,28 +249,12 @@ namespace Nowpose.Anchoring
             return true;
         }
 
-        void LockByHand(ISpatialAnchors anchors)
-        {
-            (IsBeingPlaced, _isHeldByHand) = (false, true);
-            Take(new LockReport(Base.Value, 0, 0, 0, 0, 0), anchors);
-        }
-
-        void Confirm()
-        {
-            _isHeldByHand = true;
-            _state = BaseAnchorState.Locked;
-            _pose.Take(new LockReport(Base.Value, 0, 0, 0, 0, 0));
-        }
-
-        void Judge(HeadsetTime now, ISpatialAnchors anchors)
+        void Judge(HeadsetTime now)
         {
             _hasNewSightings = false;
-            if (IsWatching)
-            {
-                UpdateMoved();
-                if (_state == BaseAnchorState.Moved) return;
-            }
-            if (_state != BaseAnchorState.Placed && _attempt.Make(now, _markers.All, Base)) LockByMarkers(anchors);
+            if (IsWatching) UpdateMoved();
+            if (_state == BaseAnchorState.Moved || _state == BaseAnchorState.Placed || _isHeldByHand) return;
+            if (_attempt.Make(now, _markers.All, Base)) Take(_attempt.Report(Base ?? _pose.From), isByHand: false);
         }
 
         void UpdateMoved()
@@ -271,21 +271,12 @@ namespace Nowpose.Anchoring
             _former = null;
         }
 
-        void LockByMarkers(ISpatialAnchors anchors)
-        {
-            var fitted = _attempt.Fitted;
-            double metres = 0, radians = 0;
-            if ((Base ?? _pose.From) is RigidTransform before) (metres, radians) = (before.DistanceTo(fitted), before.AngleTo(fitted));
-            var spread = _attempt.Spread();
-            Take(new LockReport(fitted, _attempt.Count, spread.Metres, spread.Radians, metres, radians), anchors);
-        }
-
-        void Take(LockReport report, ISpatialAnchors anchors)
+        /// <param name="isByHand">Whether no marker changes the lock.</param>
+        void Take(LockReport report, bool isByHand)
         {
             _pose.Take(report);
-            _former = null;
-            _state = BaseAnchorState.Locked;
-            _place.Hold(anchors, report.Base, Cell);
+            (_state, _former, _isHeldByHand, IsBeingPlaced) = (BaseAnchorState.Locked, null, isByHand, false);
+            _place.Hold(_anchors, report.Base, Cell);
         }
 
         void Begin()

@@ -38,6 +38,18 @@ namespace Nowpose.Anchoring
             ChangeRadians = changeRadians;
         }
 
+        /// <summary>Returns a lock by a person.</summary>
+        internal static LockReport ByHand(in RigidTransform locked) => new LockReport(locked, 0, 0, 0, 0, 0);
+
+        /// <summary>Returns the lock after a person has moved the base.</summary>
+        /// <param name="at">New pose of the base in the room frame.</param>
+        /// <param name="by">The same pose relative to the previous pose.</param>
+        internal LockReport Nudged(in RigidTransform at, in RigidTransform by) =>
+            new LockReport(at, Markers, SpreadMetres, SpreadRadians, ChangeMetres, ChangeRadians) { Nudge = (Nudge ?? RigidTransform.Identity) * by };
+
+        /// <summary>Pose of the base relative to its pose according to the markers; null if nobody has moved it since the lock.</summary>
+        internal RigidTransform? Nudge { get; private set; }
+
         /// <summary>Base in the room frame at the time of the lock.</summary>
         public RigidTransform Base { get; }
 

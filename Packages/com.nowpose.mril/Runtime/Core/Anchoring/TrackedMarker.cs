@@ -174,6 +174,10 @@ namespace Nowpose.Anchoring
             Watch.Clear();
         }
 
+        /// <summary>Keeps the place of a part of the lock in the room when a person moves the base.</summary>
+        /// <param name="by">New pose of the base relative to its previous pose.</param>
+        internal void Nudge(in RigidTransform by) => Locked = Locked.From(by.Inverse);
+
         /// <summary>Excludes the marker because other markers contradict its configured pose.</summary>
         internal void Exclude()
         {

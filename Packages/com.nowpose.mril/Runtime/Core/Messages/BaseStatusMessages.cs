@@ -18,6 +18,9 @@ namespace Nowpose.Messages
 
         public static string MovedBy(string mm, string degrees) => $", moved by {mm} mm, {degrees}°";
 
+        public static string NudgedBy(string mm, string degrees) =>
+            $", nudged by {mm} mm, {degrees}°: correct the offsets of the markers, because a new lock omits the nudge";
+
         public static string Conflict(string first, string second, string difference) =>
             $"{first} and {second} disagree by {difference}: measure their poses again";
 

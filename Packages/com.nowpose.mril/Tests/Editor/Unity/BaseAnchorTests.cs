@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Anchoring;
 using Nowpose.Tests.Unity.Robot;
 using Nowpose.Unity;
 using NUnit.Framework;
@@ -55,6 +56,23 @@ namespace Nowpose.Tests.Unity
             Assert.That(Vector3.Distance(_anchor.transform.position, new Vector3(1.05f, 0.01f, 0)), Is.LessThan(1e-6));
             Assert.That(Quaternion.Angle(_anchor.transform.rotation, Quaternion.Euler(0, 120, 0)), Is.LessThan(0.05));
             Assert.That(_moves, Is.EqualTo(2));
+        }
+
+        [Test]
+        public void Nudge_LockedBase_StaysLockedAtTheNewPose()
+        {
+            _anchor.Use("", Array.Empty<BaseMarker>());
+            var (now, pose) = (HeadsetTime.FromSeconds(1), UnityPoses.ToRoom(new Vector3(1, 0, 0), Quaternion.identity));
+            _anchor.Tracker.Tick(now, new[] { new MarkerSighting("hand", null, pose, 0, now, MarkerTracking.Placed) }, null, null);
+            _anchor.Tracker.Tick(now, Array.Empty<MarkerSighting>(), null, null);
+            Assert.That(_anchor.State, Is.EqualTo(BaseAnchorState.Locked));
+            _anchor.transform.SetPositionAndRotation(new Vector3(1, 0, 0), Quaternion.identity);
+
+            _anchor.Nudge(new Vector3(0, 0.01f, 0), 0);
+
+            Assert.That(_anchor.State, Is.EqualTo(BaseAnchorState.Locked));
+            Assert.That(Vector3.Distance(UnityPoses.ToWorld(_anchor.Tracker.Shown.Value).position, new Vector3(1, 0.01f, 0)), Is.LessThan(1e-6));
+            Assert.That(_moves, Is.EqualTo(1));
         }
 
         [Test]

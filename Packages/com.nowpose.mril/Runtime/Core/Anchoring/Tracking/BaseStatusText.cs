@@ -1,5 +1,6 @@
 using System;
 using System.Globalization;
+using Nowpose.Kinematics;
 using Nowpose.Messages;
 
 namespace Nowpose.Anchoring.Tracking
@@ -157,6 +158,10 @@ namespace Nowpose.Anchoring.Tracking
             var text = BaseStatusMessages.Locked(locked.Markers);
             if (locked.ChangeMetres > 0 || locked.ChangeRadians > 0)
                 text += BaseStatusMessages.MovedBy(Number(1000 * locked.ChangeMetres, "0.0"), Number(Degrees(locked.ChangeRadians), "0.00"));
+            if (locked.Nudge is RigidTransform nudge)
+                text += BaseStatusMessages.NudgedBy(
+                    Number(1000 * nudge.DistanceTo(RigidTransform.Identity), "0.0"),
+                    Number(Degrees(nudge.AngleTo(RigidTransform.Identity)), "0.00"));
             if (tracker.Conflict is { } conflict)
                 text += BaseStatusMessages.ConflictOfLock(Name(conflict.Marker), Mm(conflict.Metres), Number(Degrees(conflict.Radians), "0.0"));
             if (tracker.IsCorrected)

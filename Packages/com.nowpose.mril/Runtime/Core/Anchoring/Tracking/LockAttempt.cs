@@ -20,17 +20,12 @@ namespace Nowpose.Anchoring.Tracking
         readonly List<MarkerEstimate> _estimates = new List<MarkerEstimate>();
         readonly List<TrackedMarker> _estimated = new List<TrackedMarker>();
         HeadsetTime? _tried, _ready;
+        RigidTransform _fitted;
 
         public LockAttempt(AnchoringSettings settings) => _settings = settings;
 
         /// <summary>Markers that contradict each other in the newest attempt; null if all agree.</summary>
         public MarkerConflict Conflict { get; private set; }
-
-        /// <summary>Base from the newest successful attempt, in the room frame.</summary>
-        public RigidTransform Fitted { get; private set; }
-
-        /// <summary>Number of markers used in the attempt.</summary>
-        public int Count => _estimated.Count;
 
         public void Reset()
         {
@@ -52,13 +47,14 @@ namespace Nowpose.Anchoring.Tracking
             var agreement = MarkerAgreement.Of(_estimates, _settings);
             Conflict = null;
             if (!agreement.IsGood && !TryExclude(agreement)) return false;
-            Fitted = agreement.Fitted;
-            for (var i = 0; i < _estimated.Count; i++) _estimated[i].Join(_estimates[i].From(Fitted.Inverse));
+            _fitted = agreement.Fitted;
+            for (var i = 0; i < _estimated.Count; i++) _estimated[i].Join(_estimates[i].From(_fitted.Inverse));
             return true;
         }
 
-        /// <summary>Returns the scatter of the markers' poses: the root mean square over the markers used.</summary>
-        public (double Metres, double Radians) Spread()
+        /// <summary>Returns the lock from the newest successful attempt. Its scatter is the root mean square over the markers used.</summary>
+        /// <param name="before">Previous base in the room frame; null if there is none.</param>
+        public LockReport Report(in RigidTransform? before)
         {
             double metres = 0, radians = 0;
             foreach (var estimate in _estimates)
@@ -66,7 +62,8 @@ namespace Nowpose.Anchoring.Tracking
                 metres += estimate.SpreadMetres * estimate.SpreadMetres / _estimates.Count;
                 radians += estimate.SpreadRadians * estimate.SpreadRadians / _estimates.Count;
             }
-            return (Math.Sqrt(metres), Math.Sqrt(radians));
+            var change = before is RigidTransform known ? new MapCorrection(known, _fitted) : default;
+            return new LockReport(_fitted, _estimated.Count, Math.Sqrt(metres), Math.Sqrt(radians), change.Metres, change.Radians);
         }
 
         bool IsTime(HeadsetTime now, IReadOnlyList<TrackedMarker> markers)

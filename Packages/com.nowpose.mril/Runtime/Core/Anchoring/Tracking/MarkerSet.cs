@@ -68,9 +68,17 @@ namespace Nowpose.Anchoring.Tracking
             return null;
         }
 
+        /// <summary>Keeps the place of the markers in the room when a person moves the base.</summary>
+        /// <param name="by">New pose of the base relative to its previous pose.</param>
+        public void Nudge(in RigidTransform by)
+        {
+            foreach (var marker in _markers) marker.Nudge(by);
+        }
+
         /// <param name="watched">Pose of the base against which the sighting is checked; null to skip the check.</param>
+        /// <param name="onlyParts">Whether only parts of the lock are checked.</param>
         /// <returns>Whether the sighting was accepted.</returns>
-        public bool Take(in MarkerSighting sighting, HeadsetTime now, in RigidTransform? head, in RigidTransform? watched)
+        public bool Take(in MarkerSighting sighting, HeadsetTime now, in RigidTransform? head, in RigidTransform? watched, bool onlyParts)
         {
             var isAccepted = false;
             if (sighting.Payload == null) return false;
@@ -80,7 +88,7 @@ namespace Nowpose.Anchoring.Tracking
                 var belongs = watched.HasValue ? marker.PlaceAt(watched.Value) : (RigidTransform?)null;
                 if (!marker.Take(sighting, now, head, belongs)) continue;
                 isAccepted = true;
-                if (!(watched is RigidTransform place) || marker.IsContradicted) continue;
+                if (!(watched is RigidTransform place) || marker.IsContradicted || (onlyParts && !marker.IsPart)) continue;
                 marker.Compare(place);
                 marker.Judge(TurnOfParts(now));
             }
