@@ -25,7 +25,7 @@ namespace Nowpose.Anchoring
         HeadsetTime _now;
         RelockedFrom _former;
         ISpatialAnchors _anchors;
-        bool _hasNewSightings, _isHeldByHand, _wasLost;
+        bool _hasNewSightings, _isHeldByHand, _wasUncertain;
 
         internal BaseTracker(AnchoringSettings settings)
         {
@@ -40,7 +40,7 @@ namespace Nowpose.Anchoring
 
         public IReadOnlyList<TrackedMarker> Markers => _markers.All;
 
-        public BaseAnchorState State => IsLost ? BaseAnchorState.Lost : _state;
+        public BaseAnchorState State => IsLost ? BaseAnchorState.Lost : Unconfirmed.HasValue ? BaseAnchorState.Restored : _state;
 
         /// <summary>The state and the required action in one line. Returns the same object as long as the text does not change.</summary>
         public string Words => _words.Text;
@@ -68,7 +68,10 @@ namespace Nowpose.Anchoring
         public MarkerConflict Quarrel => Conflict;
 
         /// <summary>Whether the device has moved the base since the newest lock by more than a marker's tolerance.</summary>
-        public bool IsCorrected => CorrectedMetres > _settings.ToleranceMetres || CorrectedRadians > _settings.ToleranceRadians;
+        public bool IsCorrected => _pose.Correction.IsBeyond(_settings.ToleranceMetres, _settings.ToleranceRadians);
+
+        /// <summary>Correction of the map since the lock that is so large that a marker or a person must confirm it; otherwise null.</summary>
+        internal MapCorrection? Unconfirmed => _state == BaseAnchorState.Locked ? _pose.Unconfirmed : null;
 
         /// <summary>Reason why a source reports no markers; null if nothing is wrong. The status text contains this reason during a search.</summary>
         public string SourceProblem { get; set; }
@@ -137,7 +140,7 @@ namespace Nowpose.Anchoring
                 Begin();
                 _former = former;
             }
-            else if (_state == BaseAnchorState.Restored) Take(LockReport.ByHand(Base.Value), isByHand: true);
+            else if (State == BaseAnchorState.Restored) Take(LockReport.ByHand(Base.Value), isByHand: true);
             _words.Update(this, _now);
         }
 
@@ -209,13 +212,16 @@ namespace Nowpose.Anchoring
         {
             var isOpen = _state == BaseAnchorState.Searching || _state == BaseAnchorState.Placed;
             if (!Base.HasValue && isOpen) _place.Seek(_anchors, Cell);
+            if (!IsBeingPlaced && _place.Follow(Base, _now) is RigidTransform pose)
+            {
+                if (!Base.HasValue && isOpen) _state = BaseAnchorState.Restored;
+                if (_place.HasJumped) TakeElsewhere(pose);
+                else _pose.Correct(pose);
+            }
             // The deviations of the sightings were measured in a map that is no longer valid.
-            if (IsLost != _wasLost) _markers.RemoveSightings();
-            _wasLost = IsLost;
-            if (IsBeingPlaced || !(_place.Follow(Base, _now) is RigidTransform pose)) return;
-            if (!Base.HasValue && isOpen) _state = BaseAnchorState.Restored;
-            if (_place.HasJumped) TakeElsewhere(pose);
-            else _pose.Correct(pose);
+            var isUncertain = IsLost || Unconfirmed.HasValue;
+            if (isUncertain != _wasUncertain) _markers.RemoveSightings();
+            _wasUncertain = isUncertain;
         }
 
         // The lock was measured from another origin. The next markers in view confirm the position.
@@ -261,6 +267,7 @@ namespace Nowpose.Anchoring
         {
             if (_markers.HasMoved) _state = BaseAnchorState.Moved;
             else if (_state == BaseAnchorState.Moved) _state = Lock != null ? BaseAnchorState.Locked : BaseAnchorState.Restored;
+            if (_state == BaseAnchorState.Locked && _markers.HasAgreement(_now)) _pose.Confirm();
         }
 
         // No marker was in view, so the previous state is restored, unless the origin has moved. The next marker in view confirms or refutes it.

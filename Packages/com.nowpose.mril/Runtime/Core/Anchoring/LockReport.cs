@@ -11,7 +11,10 @@ namespace Nowpose.Anchoring
         /// <summary>The markers have not yet determined the position.</summary>
         Searching,
 
-        /// <summary>The device has restored the position of an earlier run. No marker has confirmed it yet.</summary>
+        /// <summary>
+        /// The device has restored the position of an earlier run, or has moved the position far by correcting its map. No marker has confirmed it
+        /// yet.
+        /// </summary>
         Restored,
 
         /// <summary>The markers have determined the position.</summary>

@@ -62,6 +62,10 @@ namespace Nowpose.Messages
             (hasMarkers ? "restored from an earlier run: look at a marker to confirm it" : "restored from an earlier run: lock it to confirm it")
             + Because(problem);
 
+        public static string Unconfirmed(int mm, string degrees, bool hasMarkers, string problem) =>
+            $"the headset has moved the base by {mm} mm, {degrees}°: "
+            + (hasMarkers ? "look at a marker to confirm it, or lock again" : "compare it with the robot, and lock it to confirm it") + Because(problem);
+
         public static string Elsewhere(string metres, string degrees, bool hasMarkers) => hasMarkers
             ? $"the headset now reports the base {metres} m, {degrees}° from its last pose; the new pose is ignored: look around, or lock again"
             : $"the headset now reports the base {metres} m, {degrees}° from its last pose; the new pose is ignored: look around, or place it again";

@@ -48,6 +48,8 @@ namespace Nowpose.Anchoring.Tracking
                 case BaseAnchorState.Searching: return Search(tracker, now);
                 case BaseAnchorState.Moved: return Move(tracker);
                 case BaseAnchorState.Locked: return Lock(tracker);
+                case BaseAnchorState.Restored when tracker.Unconfirmed is MapCorrection correction:
+                    return new Subject(Kind.Unconfirmed, tracker.Problem, a: Mm(correction.Metres), b: Tenths(correction.Radians));
                 case BaseAnchorState.Restored: return new Subject(Kind.Restored, tracker.Problem);
                 case BaseAnchorState.Lost when tracker.HeldPlace.IsRemoved: return new Subject(Kind.Removed, tracker.Problem);
                 case BaseAnchorState.Lost when tracker.HeldPlace.Elsewhere is MapCorrection jump:
@@ -121,6 +123,8 @@ namespace Nowpose.Anchoring.Tracking
                 case Kind.Refused: return BaseStatusMessages.NotOfThisBase(MarkerName.Of((string)subject.First));
                 case Kind.Conflict: return BaseStatusMessages.Conflict(Name(subject.First), Name(subject.Second), off);
                 case Kind.Alternates: return BaseStatusMessages.Alternates(Name(subject.First));
+                case Kind.Unconfirmed:
+                    return BaseStatusMessages.Unconfirmed(subject.A, Number(subject.B / 10.0, "0.0"), tracker.Markers.Count > 0, tracker.Problem);
                 case Kind.Scatters: return BaseStatusMessages.Scatters(Name(subject.First), off);
                 case Kind.Gathers: return BaseStatusMessages.Gathers(subject.A, tracker.Markers.Count);
                 case Kind.Ignored: return Name(subject.First) + " " + WhyIgnored((SightingFault)subject.Count);
@@ -181,7 +185,7 @@ namespace Nowpose.Anchoring.Tracking
 
         enum Kind
         {
-            Placed, BeingPlaced, Refused, Looking, Ignored, Gathers, Moving, Alternates, Scatters, Conflict, Restored, Locked, Moved, Lost,
+            Placed, BeingPlaced, Refused, Looking, Ignored, Gathers, Moving, Alternates, Scatters, Conflict, Restored, Unconfirmed, Locked, Moved, Lost,
             Elsewhere, Removed,
         }
 

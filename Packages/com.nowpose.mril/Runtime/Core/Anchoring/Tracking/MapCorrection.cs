@@ -16,5 +16,7 @@ namespace Nowpose.Anchoring.Tracking
         public double Metres { get; }
 
         public double Radians { get; }
+
+        public bool IsBeyond(double metres, double radians) => Metres > metres || Radians > radians;
     }
 }

@@ -75,6 +75,14 @@ namespace Nowpose.Anchoring.Tracking
             foreach (var marker in _markers) marker.Nudge(by);
         }
 
+        /// <summary>Returns whether a part of the lock that is in view agrees with its expected pose.</summary>
+        public bool HasAgreement(HeadsetTime now)
+        {
+            foreach (var marker in _markers)
+                if (marker.IsPart && !marker.HasMoved && marker.Watch.IsKnown && marker.IsFresh(now)) return true;
+            return false;
+        }
+
         /// <param name="watched">Pose of the base against which the sighting is checked; null to skip the check.</param>
         /// <param name="onlyParts">Whether only parts of the lock are checked.</param>
         /// <returns>Whether the sighting was accepted.</returns>
