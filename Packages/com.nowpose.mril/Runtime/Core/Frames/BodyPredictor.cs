@@ -137,9 +137,10 @@ namespace Nowpose.Frames
 
         DropReason Receive(in PoseSample sample, out bool hasRestarted)
         {
+            var newest = _pipeline.Newest.Order;
             var body = new BodySample(sample.Time, sample.Position, _rotations.Add(sample.Order, sample.Rotation), sample.Order);
             var reason = _pipeline.Receive(body, out hasRestarted);
-            if (_pipeline.IsNewestStampWrong) _rotations.RemoveNewest();
+            if (_pipeline.IsNewestStampWrong) _rotations.Remove(newest);
             return reason;
         }
 

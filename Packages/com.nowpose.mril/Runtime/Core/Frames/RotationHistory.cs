@@ -51,9 +51,13 @@ namespace Nowpose.Frames
             return angles;
         }
 
-        /// <summary>Removes the newest sample, because its stamp is wrong.</summary>
-        public void RemoveNewest()
+        /// <summary>Removes the sample with a given order, in s, because its stamp is wrong.</summary>
+        public void Remove(double order)
         {
+            var age = 0;
+            while (age < Count && !IsAsOld(age, order)) age++;
+            if (age == Count) return;
+            for (; age > 0; age--) At(age) = At(age - 1);
             _newest = (_newest + 1) & (Capacity - 1);
             Count--;
         }

@@ -29,7 +29,8 @@ namespace Nowpose.Prediction.Samples
     /// <list type="bullet">
     /// <item><description>
     /// They were overtaken if the next sample is newer than the newest one, or not newer than the last that waits. They are then inserted, except those
-    /// whose positions contradict their neighbours, because their stamps are wrong.
+    /// whose positions contradict their neighbours, because their stamps are wrong. But if a newer sample shows that only the stamp of the newest one
+    /// before it was wrong (<see cref="RecentSamples{TSample}.HasWrongNewestStamp"/>), its sample is discarded.
     /// </description></item>
     /// <item><description>
     /// They were not overtaken if there are five, or two that contradict their neighbours, or two that are late by more than
@@ -87,7 +88,9 @@ namespace Nowpose.Prediction.Samples
             IsNewestStampWrong = false;
             if (sample.Order > _newest && !JointSample.IsSameTime(_newest, sample.Order))
             {
-                ReleaseLate(withEvidence: false);
+                IsNewestStampWrong = AreLateBeforeNewest && _recent.HasWrongNewestStamp(_late.AsSpan(0, _lateCount), sample);
+                if (IsNewestStampWrong) Forget();
+                ReleaseLate(withEvidence: IsNewestStampWrong);
                 Release(sample);
                 return DropReason.None;
             }
@@ -103,23 +106,31 @@ namespace Nowpose.Prediction.Samples
             _isOnlyEvidence[_lateCount] = reason != DropReason.None;
             _late[_lateCount++] = sample;
             if (MustWait) return reason;
-            IsNewestStampWrong = !double.IsNegativeInfinity(_beforeNewest) && _late[0].Order - _beforeNewest >= JointSample.SameSeconds;
+            IsNewestStampWrong = AreLateBeforeNewest;
             if (!IsNewestStampWrong) Restarts++;
-            _recent.Clear();
-            _newest = _beforeNewest = double.NegativeInfinity;
+            Forget();
             ReleaseLate(withEvidence: true);
             return DropReason.None;
         }
 
         public void Clear()
         {
-            _recent.Clear();
-            _newest = _beforeNewest = double.NegativeInfinity;
+            Forget();
             _readyCount = _lateCount = _contradicted = 0;
         }
 
+        // Whether there are waiting samples, all of them newer than the sample before the newest.
+        bool AreLateBeforeNewest =>
+            _lateCount > 0 && !double.IsNegativeInfinity(_beforeNewest) && _late[0].Order - _beforeNewest >= JointSample.SameSeconds;
+
         bool MustWait => _lateCount < ArrivalLimits.MinLateForRestart && _contradicted < MinClearlyLateForRestart
             && (_lateCount < MinClearlyLateForRestart || _newest - _late[_lateCount - 1].Order <= ArrivalLimits.MaxDelay);
+
+        void Forget()
+        {
+            _recent.Clear();
+            _newest = _beforeNewest = double.NegativeInfinity;
+        }
 
         bool IsWaiting(in TSample sample)
         {

@@ -70,6 +70,30 @@ namespace Nowpose.Prediction.Samples
             return false;
         }
 
+        /// <summary>
+        /// Returns whether the stamp of the newest stored sample is in the future, so that the samples after it seem to be late. The way through all
+        /// samples is then shorter in the order of their arrival than in that of their stamps, which gives the shortest way if all stamps are right
+        /// and the motion does not reverse twice. If the stamps of the late samples are wrong instead, the velocity changes less without these samples.
+        /// </summary>
+        /// <param name="late">The samples that seem to be late, all newer than the stored sample before the newest; at least one.</param>
+        /// <param name="next">A sample with a later stamp.</param>
+        public bool HasWrongNewestStamp(ReadOnlySpan<TSample> late, in TSample next)
+        {
+            int indexBefore = Neighbour(late[0].Order, -1), indexNewest = Neighbour(next.Order, -1);
+            // Two samples with the same stamp may come from a clock with a coarse resolution.
+            if (indexBefore < 0 || JointSample.IsSameTime(late[0].Order, Order(indexNewest))) return false;
+            var (before, newest, first, last) = (_samples[indexBefore], _samples[indexNewest], late[0], late[late.Length - 1]);
+            double byStamp = 0, byArrival = 0, withoutNewest = 0, withoutLate = 0;
+            for (var c = 0; c < next.Components; c++)
+            {
+                byStamp += Distance(before, first, c) + Distance(last, newest, c) + Distance(newest, next, c);
+                byArrival += Distance(before, newest, c) + Distance(newest, first, c) + Distance(last, next, c) + Noise(c);
+                withoutNewest += Math.Abs(Velocity(last, next, c) - Velocity(before, first, c));
+                withoutLate += Math.Abs(Velocity(newest, next, c) - Velocity(before, newest, c));
+            }
+            return byStamp > byArrival && withoutNewest < withoutLate;
+        }
+
         public void Clear() => _next = _count = 0;
 
         public static bool HasSameComponents(in TSample one, in TSample other)
@@ -131,6 +155,10 @@ namespace Nowpose.Prediction.Samples
         double Step(int age, int component) => Difference(Newest(age, component), Newest(age + 1, component));
 
         double Newest(int age, int component) => Position((_next - 1 - age + Capacity) % Capacity, component);
+
+        double Distance(in TSample a, in TSample b, int component) => Math.Abs(Difference(b[component], a[component]));
+
+        double Velocity(in TSample a, in TSample b, int component) => Difference(b[component], a[component]) / (b.Order - a.Order);
 
         double Difference(double a, double b) => _isEndless ? a - b - JointPredictor.WholeTurns(a - b) : a - b;
 

@@ -56,6 +56,7 @@ namespace Nowpose.Tests.Core.Frames
             Assert.That(kind, Is.Not.EqualTo(PredictionKind.None));
         }
 
+        [TestCase(0.09)]
         [TestCase(0.2)]
         [TestCase(0.9)]
         public void Add_OneStampInTheFuture_OnlyThisSampleIsDiscarded(double seconds)

@@ -69,6 +69,31 @@ namespace Nowpose.Tests.Core.Prediction
             Assert.That(joint.Predictor.Restarts, Is.Zero);
         }
 
+        // The stamp is in the future by one to two intervals, at any place of the move. Sections with intervals of a few milliseconds, or a
+        // repetition of them, would be wrong by more than 1 rad.
+        [TestCase(0.02, 0.05)]
+        [TestCase(0.05, 0.1)]
+        [TestCase(0.1, 0.2)]
+        public void Play_OneStampInTheNearFuture_IsNotRepeated(double interval, double maxError)
+        {
+            var move = new SevenPhaseProfile(1, 1.5, 8, 80);
+            double Position(double t) => t % 4 < 2 ? move.PositionAt(t % 4 - 0.4) : 1 - move.PositionAt(t % 4 - 2.4);
+            for (var seed = 0; seed < 16; seed++)
+            {
+                var random = new Random(seed);
+                var (wrong, future) = ((int)((20 + 4 * random.NextDouble()) / interval), interval * (1 + random.NextDouble()));
+                var joint = new DisplayedJoint(Predictors.Create("adaptive", PredictionLimits.Unlimited));
+                for (int frame = 0, k = 0; frame < 30 * 60; frame++)
+                {
+                    var time = frame / 60.0;
+                    for (; k * interval + Latency <= time + 1e-9; k++) joint.Add(k * interval + (k == wrong ? future : 0), Position(k * interval));
+                    var shown = joint.Show(time);
+                    if (time <= (wrong + 2) * interval + Latency) continue;
+                    Assert.That(shown.Position, Is.EqualTo(Position(time)).Within(maxError), $"at {time}, seed {seed}");
+                }
+            }
+        }
+
         // The weights must not learn from the wrong position, nor from the forecasts that were made from it.
         [TestCase(0.02, 2)]
         [TestCase(0.02, 20)]

@@ -38,6 +38,7 @@ namespace Nowpose.Tests.Core.Session
         }
 
         // The sample with the wrong stamp must not hide those that follow, from the past and from the truth of the errors.
+        [TestCase(0.09)]
         [TestCase(0.3)]
         [TestCase(0.9)]
         public void Add_OneStampInTheFuture_ThePastIsThatOfTheOtherSamples(double future)

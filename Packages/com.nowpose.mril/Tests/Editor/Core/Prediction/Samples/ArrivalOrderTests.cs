@@ -9,17 +9,17 @@ namespace Nowpose.Tests.Core.Prediction.Samples
 {
     public class ArrivalOrderTests
     {
-        const double Interval = 0.02;
-        const int Newest = 100;
+        internal const double Interval = 0.02;
+        internal const int Newest = 100;
 
-        static double PositionAt(double time) => Math.Sin(2 * time);
+        internal static double PositionAt(double time) => Math.Sin(2 * time);
 
-        static JointSample Sample(double time) => new JointSample(time, PositionAt(time));
+        internal static JointSample Sample(double time) => new JointSample(time, PositionAt(time));
 
         static JointPredictor NewJoint() => TestPredictors.Polynomial(2, 4);
 
         // Returns a joint with samples of two seconds, which were added in order.
-        static JointPredictor FedJoint()
+        internal static JointPredictor FedJoint()
         {
             var joint = NewJoint();
             for (var i = 0; i <= Newest; i++) joint.Add(Sample(i * Interval));
@@ -81,22 +81,6 @@ namespace Nowpose.Tests.Core.Prediction.Samples
                 joint.Add(new JointSample((Newest + i) * Interval - seconds, 0.5));
 
             Assert.That(needed, Is.EqualTo(samples));
-        }
-
-        [TestCase(0.1)]
-        [TestCase(0.3)]
-        [TestCase(0.9)]
-        public void Add_OneStampInTheFuture_OnlyThisSampleIsDiscarded(double seconds)
-        {
-            JointPredictor joint = FedJoint(), expected = FedJoint();
-            joint.Add(new JointSample((Newest + 1) * Interval + seconds, PositionAt((Newest + 1) * Interval)));
-
-            for (var i = 2; i <= 8; i++) joint.Add(Sample((Newest + i) * Interval));
-            for (var i = 2; i <= 8; i++) expected.Add(Sample((Newest + i) * Interval));
-
-            Assert.That(joint.Restarts, Is.Zero);
-            Assert.That(joint.NewestTime, Is.EqualTo(expected.NewestTime));
-            Assert.That(joint.At(2.3).Position, Is.EqualTo(expected.At(2.3).Position).Within(1e-9));
         }
 
         [Test]
