@@ -10,13 +10,14 @@ sealed class PendingConnection : IDisposable
     public PendingConnection(PendingConnections all, IPAddress address, Action evict)
     {
         _all = all;
-        Address = address;
+        (Address, Network) = (address, ClientNetwork.Of(address));
         Evict = evict;
         OfAddress = new LinkedListNode<PendingConnection>(this);
         OfAll = new LinkedListNode<PendingConnection>(this);
     }
 
     public IPAddress Address { get; }
+    public IPAddress Network { get; }
     public Action Evict { get; }
     public LinkedListNode<PendingConnection> OfAddress { get; }
     public LinkedListNode<PendingConnection> OfAll { get; }

@@ -3,7 +3,7 @@ using System.Net;
 namespace Nowpose.Gateway.Security;
 
 /// <summary>
-/// Limits the number of connections that are not authenticated yet, for each address and in total. Thread-safe.
+/// Limits the number of connections that are not authenticated yet, for each address (<see cref="ClientNetwork"/>) and in total. Thread-safe.
 /// </summary>
 /// <remarks>
 /// At the limit of an address, the oldest connection is closed instead of the new one, because the same address (NAT) may belong to a headset
@@ -40,11 +40,11 @@ sealed class PendingConnections(int maxOfAddress, int maxInAll = int.MaxValue)
         PendingConnection evicted;
         lock (_lock)
         {
-            if (!_addresses.TryGetValue(connection.Address, out var own)) _addresses.Add(connection.Address, own = ([], []));
+            if (!_addresses.TryGetValue(connection.Network, out var own)) _addresses.Add(connection.Network, own = ([], []));
             evicted = own.Silent.Count >= maxOfAddress ? own.Silent.First.Value : _all.Count >= maxInAll ? OldestOfAll() : null;
             Remove(evicted);
             // Adds the address again if Remove has removed it with its last connection.
-            _addresses.TryAdd(connection.Address, own);
+            _addresses.TryAdd(connection.Network, own);
             own.Silent.AddLast(connection.OfAddress);
             _all.AddLast(connection.OfAll);
         }
@@ -72,7 +72,7 @@ sealed class PendingConnections(int maxOfAddress, int maxInAll = int.MaxValue)
         lock (_lock)
         {
             if (connection.IsKnown || connection.OfAddress.List == null) return;
-            var own = _addresses[connection.Address];
+            var own = _addresses[connection.Network];
             evicted = own.Known.Count >= maxOfAddress ? own.Known.First.Value : null;
             own.Silent.Remove(connection.OfAddress);
             own.Known.AddLast(connection.OfAddress);
@@ -94,7 +94,7 @@ sealed class PendingConnections(int maxOfAddress, int maxInAll = int.MaxValue)
         if (connection?.OfAddress.List is not { } list) return;
         list.Remove(connection.OfAddress);
         _all.Remove(connection.OfAll);
-        var (silent, known) = _addresses[connection.Address];
-        if (silent.Count == 0 && known.Count == 0) _addresses.Remove(connection.Address);
+        var (silent, known) = _addresses[connection.Network];
+        if (silent.Count == 0 && known.Count == 0) _addresses.Remove(connection.Network);
     }
 }

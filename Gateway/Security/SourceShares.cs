@@ -2,14 +2,17 @@ using System.Net;
 
 namespace Nowpose.Gateway.Security;
 
-/// <summary>Counts the connections of each source to both ports, so that no source uses the connections of the others. Thread-safe.</summary>
+/// <summary>
+/// Counts the connections of each source, which is a token and an address (<see cref="ClientNetwork"/>), to both ports, so that no source uses the
+/// connections of the others. Thread-safe.
+/// </summary>
 /// <remarks>
 /// A connection above the maximum is refused. Closing an older one instead would also end connections that are in use: their clients would connect
 /// again and close the next ones.
 /// </remarks>
 sealed class SourceShares(GatewayOptions options)
 {
-    readonly Dictionary<(string Hash, IPAddress Address), int> _open = [];
+    readonly Dictionary<(string Hash, IPAddress Network), int> _open = [];
 
     /// <summary>
     /// Counts a connection until the returned object is disposed. Clients without a token, clients of other roles and the adapters of the
@@ -20,7 +23,7 @@ sealed class SourceShares(GatewayOptions options)
     public IDisposable TryEnter(byte[] tokenHash, Role role, IPAddress address)
     {
         if (tokenHash == null || role != Role.Source || options.IsOwnAdapter(tokenHash)) return new Place(null);
-        var source = (Convert.ToHexString(tokenHash), address);
+        var source = (Convert.ToHexString(tokenHash), ClientNetwork.Of(address));
         lock (_open)
         {
             var count = _open.GetValueOrDefault(source);
@@ -31,7 +34,7 @@ sealed class SourceShares(GatewayOptions options)
         return new Place(() => Leave(source));
     }
 
-    void Leave((string Hash, IPAddress Address) source)
+    void Leave((string Hash, IPAddress Network) source)
     {
         lock (_open)
             if (--_open[source] == 0) _open.Remove(source);

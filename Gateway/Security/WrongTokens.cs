@@ -1,12 +1,11 @@
 using System.Net;
-using System.Net.Sockets;
 using Nowpose.Pairing;
 
 namespace Nowpose.Gateway.Security;
 
 /// <summary>
-/// Counts the wrong tokens and codes from each IPv4 address and each IPv6 network (/64) per minute, and blocks an address with too many until
-/// the minute is over. Thread-safe.
+/// Counts the wrong tokens and codes from each address (<see cref="ClientNetwork"/>) per minute, and blocks an address with too many until the minute
+/// is over. Thread-safe.
 /// </summary>
 /// <remarks>
 /// Login and pairing refuse a blocked address, which limits the rate of guesses. Bearer and sync tokens are compared even from a blocked
@@ -37,7 +36,7 @@ sealed class WrongTokens(TimeProvider time)
     {
         lock (_lock)
         {
-            var one = Find(address) ?? Add(Key(address));
+            var one = Find(address) ?? Add(ClientNetwork.Of(address));
             var isBlocked = BlockedFor(one) > TimeSpan.Zero;
             if (one.Count == 0 || time.GetElapsedTime(one.Since) >= Span) (one.Since, one.Count) = (time.GetTimestamp(), 0);
             one.Count++;
@@ -55,7 +54,7 @@ sealed class WrongTokens(TimeProvider time)
     // Finds the entry of an address, and moves it to the end of the list. Returns null for an address without wrong tokens.
     Address Find(IPAddress address)
     {
-        if (!_addresses.TryGetValue(Key(address), out var node)) return null;
+        if (!_addresses.TryGetValue(ClientNetwork.Of(address), out var node)) return null;
         _order.Remove(node);
         _order.AddLast(node);
         return node.Value;
@@ -70,14 +69,6 @@ sealed class WrongTokens(TimeProvider time)
         }
 
         return (_addresses[key] = _order.AddLast(new Address(key))).Value;
-    }
-
-    // Uses the /64 network of an IPv6 address, because a machine can have any number of addresses in its network.
-    static IPAddress Key(IPAddress address)
-    {
-        if (address == null) return IPAddress.None;
-        if (address.IsIPv4MappedToIPv6) return address.MapToIPv4();
-        return address.AddressFamily == AddressFamily.InterNetworkV6 ? new IPAddress([.. address.GetAddressBytes().AsSpan(0, 8), .. new byte[8]]) : address;
     }
 
     sealed class Address(IPAddress key)
