@@ -14,6 +14,10 @@ static class AdapterMessages
     public static string SameName(string file, string plant, string other) =>
         $"{file}: its plant has the same name '{plant}' as the one in {other}; set another plant.name in one of the two files";
 
+    public static string SamePassword(string file, string variable, string other) =>
+        $"{file}: {variable} has the password of its plant and of the one in {other}, because their names differ only in - and _; set another"
+            + " plant.name or user.password_file in one of the two files, or user.shared_password: true in both";
+
     public static string SecondConnection(string file, string machine, string other) =>
         $"{file}: {other} also connects to {machine}, which accepts only one connection from this machine because it has no TwinCAT router;"
             + " combine the two files, or install a TwinCAT router on this machine, remove local_net_id from both files and use ads://127.0.0.1/…";

@@ -47,6 +47,8 @@ sealed class AdapterProcesses : IAsyncDisposable
                 var plant = await AdapterProgram.CheckAsync(file, stop);
                 if (good.Find(other => other.Name == plant.Name) is { } other)
                     bad.Add(AdapterMessages.SameName(file, plant.Name, other.Path));
+                else if (plant.PasswordVariable is { } variable && good.Find(reader => reader.PasswordVariable == variable) is { } reading)
+                    bad.Add(AdapterMessages.SamePassword(file, variable, reading.Path));
                 if (plant.SoleConnectionTo is { } machine && good.Find(connected => connected.SoleConnectionTo == machine) is { } first)
                     bad.Add(AdapterMessages.SecondConnection(file, machine, first.Path));
                 good.Add(plant);

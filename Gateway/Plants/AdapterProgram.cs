@@ -38,6 +38,7 @@ static class AdapterProgram
                 Joints = content.Joints, PassesUnlisted = content.PassesUnlisted, HasObjects = content.HasObjects, Robot = content.Robot,
                 Robots = content.Robots ?? [], Warnings = content.Warnings ?? [], Frames = content.Frames ?? [],
                 Signals = content.Signals ?? [], OffersClock = content.OffersClock, SoleConnectionTo = content.SoleConnectionTo,
+                PasswordVariable = content.PasswordVariable,
             };
         }
         catch (OperationCanceledException) when (!stop.IsCancellationRequested)
@@ -68,7 +69,7 @@ static class AdapterProgram
     internal sealed record PlantContent(
         string Name, string[] Joints, bool PassesUnlisted, string Robot, Dictionary<string, string> Robots = null, bool HasObjects = false,
         string[] Warnings = null, Dictionary<string, string[]> Frames = null, string[] Signals = null, Dictionary<string, string> DescribedBy = null,
-        bool OffersClock = true, string SoleConnectionTo = null)
+        bool OffersClock = true, string SoleConnectionTo = null, string PasswordVariable = null)
     {
         static readonly JsonSerializerOptions Names = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
 

@@ -41,6 +41,9 @@ sealed record PlantFile(string Path, string Name, string Summary)
     /// <summary>The machine to which the adapter connects, if it accepts only one connection from each machine; null otherwise.</summary>
     public string SoleConnectionTo { get; init; }
 
+    /// <summary>The environment variable with the password of this plant only; null if its password is not in such a variable.</summary>
+    public string PasswordVariable { get; init; }
+
     /// <summary>Warnings about valid entries of the file, each with the file and the line.</summary>
     public IReadOnlyList<string> Warnings { get; init; } = [];
 

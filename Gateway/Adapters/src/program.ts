@@ -71,6 +71,7 @@ function contentOf(kind: Kind, configuration: CheckedConfiguration): object {
     passes_unlisted: kind.passesUnlisted?.(configuration) ?? false,
     offers_clock: kind.offersClock?.(configuration.settings) ?? true,
     sole_connection_to: kind.soleConnectionTo?.(configuration.settings) ?? null,
+    password_variable: configuration.passwordVariable,
     has_objects: configuration.hasObjects,
     frames: configuration.parents,
     signals: configuration.signals.map(({ signal }) => signal),

@@ -55,7 +55,7 @@ describe('configuration', () => {
     const { status, out } = await check(t, path, { NOWPOSE_SUPERVISED: '1' }, startProcess);
 
     const [, content] = out.split('\n');
-    assert.deepEqual([status, JSON.parse(content)], [0, { name: 'opcua', joints: ['arm_joint_1', 'arm_joint_2'], passes_unlisted: false, offers_clock: true, sole_connection_to: null, has_objects: false, frames: {}, signals: [], robot: null, robots: {}, described_by: {}, warnings: [] }]);
+    assert.deepEqual([status, JSON.parse(content)], [0, { name: 'opcua', joints: ['arm_joint_1', 'arm_joint_2'], passes_unlisted: false, offers_clock: true, sole_connection_to: null, password_variable: null, has_objects: false, frames: {}, signals: [], robot: null, robots: {}, described_by: {}, warnings: [] }]);
   });
 
   it('Check_ParentInAnotherNode_PrintsAWarningAndSucceeds', async t => {
@@ -248,12 +248,16 @@ describe('configuration', () => {
     .replace('joints:', `  user: { name: cell${user} }\njoints:`));
   const FROM_FILE = `, password_file: '${temporaryFile('password', 'of-the-file')}'`;
 
-  for (const [name, user, environment, password] of [
-    ['PasswordFile', FROM_FILE, { NOWPOSE_PLANT_PASSWORD_PRESS_3: 'of-the-plant' }, 'of-the-file'],
-    ['PasswordOfThePlant', '', { NOWPOSE_PLANT_PASSWORD_PRESS_3: 'of-the-plant', NOWPOSE_PLANT_PASSWORD: 'of-all-plants' }, 'of-the-plant'],
-    ['SharedPassword', ', shared_password: true', { NOWPOSE_PLANT_PASSWORD_PRESS_3: 'of-the-plant', NOWPOSE_PLANT_PASSWORD: 'of-all-plants' }, 'of-all-plants'],
+  for (const [name, user, environment, password, variable] of [
+    ['PasswordFile', FROM_FILE, { NOWPOSE_PLANT_PASSWORD_PRESS_3: 'of-the-plant' }, 'of-the-file', null],
+    ['PasswordOfThePlant', '', { NOWPOSE_PLANT_PASSWORD_PRESS_3: 'of-the-plant', NOWPOSE_PLANT_PASSWORD: 'of-all-plants' }, 'of-the-plant', 'NOWPOSE_PLANT_PASSWORD_PRESS_3'],
+    ['SharedPassword', ', shared_password: true', { NOWPOSE_PLANT_PASSWORD_PRESS_3: 'of-the-plant', NOWPOSE_PLANT_PASSWORD: 'of-all-plants' }, 'of-all-plants', null],
   ])
-    it(`ReadConfiguration_${name}_IsUsed`, () => assert.deepEqual(readConfiguration(withUser(user), environment, kinds).secrets, [password]));
+    it(`ReadConfiguration_${name}_IsUsed`, () => {
+      const { secrets, passwordVariable } = readConfiguration(withUser(user), environment, kinds);
+
+      assert.deepEqual([secrets, passwordVariable], [[password], variable]);
+    });
 
   it('Check_PasswordOfAnotherPlant_IsNotUsedAndTheVariableIsNamed', () => {
     const others = { NOWPOSE_PLANT_PASSWORD: 'of-all-plants', NOWPOSE_PLANT_PASSWORD_PRESS_2: 'of-another-plant' };

@@ -33,6 +33,27 @@ public class AdapterCheckTests : PlantFileFixture
         }));
     }
 
+    [TestCase(true)]
+    [TestCase(false)]
+    public async Task Check_NamesThatDifferOnlyInPunctuation_AreRefusedIfBothHaveAPasswordVariable(bool isRefused)
+    {
+        // No other test has plants with these names.
+        const string variable = "NOWPOSE_PLANT_PASSWORD_CHECKED_PRESS_3";
+        Environment.SetEnvironmentVariable(variable, "secret");
+        string Plant(string name, bool hasUser) => Write(
+            Good.Replace("name: absent", $"name: {name}{(hasUser ? "\n  user: { name: reader }" : "")}"), name + ".yaml");
+        var (first, second) = (Plant("checked-press-3", hasUser: true), Plant("checked_press_3", isRefused));
+
+        if (!isRefused)
+        {
+            Assert.That(await AdapterProcesses.CheckAsync([first, second], default), Has.Count.EqualTo(2));
+            return;
+        }
+
+        var wrong = Assert.ThrowsAsync<WrongEntriesException>(() => AdapterProcesses.CheckAsync([first, second], default));
+        Assert.That(wrong.Lines, Is.EqualTo(new[] { AdapterMessages.SamePassword(second, variable, first) }));
+    }
+
     [TestCase("ads://PLC/1.2.3.4.1.1:852", true, true)]
     [TestCase("ads://plc-2/1.2.3.4.1.1:851", true, false)]
     [TestCase("ads://127.0.0.1/1.2.3.4.1.1:851", false, false)]

@@ -65,6 +65,8 @@ export interface Configuration {
   describedBy: Record<string, string>;
   /** Warnings about valid entries, each with the file and the line. */
   warnings: string[];
+  /** The environment variable with the password of this plant only; null if its password is not in such a variable. */
+  passwordVariable: string | null;
   /** Strings that must not appear in the log. */
   secrets: string[];
   /** Whether the gateway has started the adapter. The gateway then passes its address in the environment. */
@@ -124,6 +126,7 @@ export function readConfiguration(
       ...(content.robot === undefined ? {} : { [namespace]: `${where(['robot'])}: ${content.robot}` }),
     },
     warnings: [],
+    passwordVariable: null,
     secrets: gateway.token === null ? [] : [gateway.token],
     isSupervised: environment.NOWPOSE_SUPERVISED === '1',
     where,

@@ -29,6 +29,7 @@ export function userIn(
   const at = ['plant', 'user', 'password_file'] as const;
   const variable = user.shared_password === true ? SHARED : variableOf(configuration.plant.name);
   const password = user.password_file === undefined ? environment[variable] : secretIn(file, at, user.password_file);
+  if (user.password_file === undefined && variable !== SHARED) configuration.passwordVariable = variable;
   if (password === undefined) file.report(at, configurationMessages.noPassword(variable, SHARED));
   if (user.password_file !== undefined && user.shared_password === true) file.report(at, configurationMessages.twoPasswords);
   configuration.secrets.push(password ?? '');
