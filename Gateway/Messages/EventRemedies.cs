@@ -35,6 +35,9 @@ static class EventRemedies
     public const string ConnectionsOfSource = "Close connections of this source that are not needed, give each source its own token, or increase "
         + "max-connections and start the gateway again.";
 
+    public const string Address =
+        "Restore the network or VPN with this address, after which the gateway needs no restart, or start it with another --bind.";
+
     public const string Descriptors = "Close clients that are not needed, or raise the limit on open files (ulimit -n, LimitNOFILE= of the systemd unit, "
         + "--ulimit nofile= of the container) and start the gateway again.";
 

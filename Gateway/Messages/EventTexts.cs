@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Net;
 using Nowpose.Messages;
 
 namespace Nowpose.Gateway.Messages;
@@ -116,6 +117,11 @@ static class EventTexts
 
     public static string RefusedOfSources(long refused) => FormattableString.Invariant(
         $"connections refused for this reason since the start of the gateway: {refused}");
+
+    public const string NoAddress = "is not an address of this machine";
+    public const string NoClientReachesAddress = "no client can connect to the gateway";
+
+    public static string AddressMissing(IPAddress address) => $"the gateway's address {address} {NoAddress}";
 
     public const string NoDescriptor = "refuses connections because of too few file descriptors";
 

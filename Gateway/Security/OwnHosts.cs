@@ -33,6 +33,24 @@ static class OwnHosts
     /// <summary>Whether a client on this machine reaches a gateway at localhost that listens on an address.</summary>
     public static bool IsLocalhostReachable(IPAddress bind) => IsAny(bind) || IPAddress.IsLoopback(bind);
 
+    /// <summary>
+    /// Whether this machine has an address. If it does not, sockets that listen on the address accept no connections, and report no error.
+    /// </summary>
+    public static bool IsOfThisMachine(IPAddress address)
+    {
+        try
+        {
+            using var socket = new Socket(address.AddressFamily, SocketType.Dgram, ProtocolType.Udp);
+            socket.Bind(new IPEndPoint(address, 0));
+            return true;
+        }
+        catch (SocketException e)
+        {
+            // Any other error, such as too few file descriptors, has nothing to do with the address.
+            return e.SocketErrorCode != SocketError.AddressNotAvailable;
+        }
+    }
+
     /// <summary>Gets the hosts under which browsers can open the pages of a gateway that listens on an address.</summary>
     public static IEnumerable<string> Reachable(IPAddress bind)
     {

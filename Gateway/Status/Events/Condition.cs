@@ -10,7 +10,7 @@ enum Level
 
 /// <summary>A fault that exists at present.</summary>
 /// <param name="Kind">The category: joint, frame, signal, adapter, clock, headset, recording, source, description, limit, connection, certificate or file.</param>
-/// <param name="Which">Name of the joint, adapter, headset, topic, port or file.</param>
+/// <param name="Which">Name of the joint, adapter, headset, topic, port, address or file.</param>
 /// <param name="What">Predicate of a sentence whose subject is the kind and the name, for example "is refused".</param>
 /// <param name="Reason">The reason; may be empty, and may change while the condition lasts.</param>
 /// <param name="Blocks">Whether the gateway is not ready while the condition lasts.</param>
