@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using Nowpose.Sync;
 
 namespace Nowpose.Gateway.Clock;
@@ -50,14 +49,14 @@ public sealed class ServedClock : IControlClock
     public TimeSpan Resolution => Known == null ? _own.Resolution : new TimeSpan(1);
     public double Skew => -Known?.Skew ?? _own.Skew;
 
-    /// <summary>Gets the clock's time when <see cref="Stopwatch.GetTimestamp"/> returned <paramref name="count"/>, at the current offset.</summary>
+    /// <summary>Gets the clock's time when this machine's counter had a count, at the current offset.</summary>
     /// <remarks>
     /// The counter is read before the clock. An interruption between the two makes the result late, not early, so a message stamped by
     /// this clock never seems to arrive before it was sent.
     /// </remarks>
     public ControlTime AtReceived(long count)
     {
-        var elapsed = Stopwatch.GetElapsedTime(count);
+        var elapsed = _plant.Counter.Now - _plant.Counter.At(count);
         return Now - elapsed;
     }
 

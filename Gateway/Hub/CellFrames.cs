@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
@@ -14,7 +13,8 @@ namespace Nowpose.Gateway.Hub;
 /// <param name="samples">Receives the moving poses.</param>
 /// <param name="publish">Gives a message its sequence number and publishes it.</param>
 /// <param name="drop">Reports a transform that is dropped after its message was accepted, with its source and topic.</param>
-sealed class CellFrames(RobotLinks links, NewestSamples samples, Action<HubMessage> publish, Action<HubSource, string, LeftOut> drop)
+sealed class CellFrames(
+    RobotLinks links, NewestSamples samples, TimeProvider time, Action<HubMessage> publish, Action<HubSource, string, LeftOut> drop)
 {
     /// <summary>Time without poses after which a new frame may replace a tracked frame.</summary>
     static readonly TimeSpan MaxSilence = TimeSpan.FromSeconds(10);
@@ -41,7 +41,7 @@ sealed class CellFrames(RobotLinks links, NewestSamples samples, Action<HubMessa
     public LatchedMessages Stationary { get; } = new(MessageParts.Only);
 
     /// <summary>Publishes the poses of a message. Leaves out frames of other sources, and transforms that would break a limit of the cell.</summary>
-    /// <param name="receivedAt">Arrival of the message, a count of <see cref="Stopwatch"/>.</param>
+    /// <param name="receivedAt">Arrival of the message, a timestamp of the time provider.</param>
     /// <returns>Whether at least one pose was published.</returns>
     public bool Publish(HubSource source, TransformsMessage message, bool isStationary, List<LeftOut> leftOut, long receivedAt)
     {
@@ -75,7 +75,7 @@ sealed class CellFrames(RobotLinks links, NewestSamples samples, Action<HubMessa
         {
             var leftOut = new List<LeftOut>();
             var message = new TransformsMessage([.. poses.Where(pose => pose.Valid != null).Select(pose => pose.Valid[0])]);
-            PublishAccepted(source, message, isStationary: true, leftOut, Stopwatch.GetTimestamp());
+            PublishAccepted(source, message, isStationary: true, leftOut, time.GetTimestamp());
             foreach (var part in leftOut.Concat(poses.Select(pose => pose.Invalid).OfType<LeftOut>())) drop(source, RosTopics.TfStatic, part);
         });
         _hasReplaced = false;
@@ -195,7 +195,7 @@ sealed class CellFrames(RobotLinks links, NewestSamples samples, Action<HubMessa
 
     // Returns the tracked frame without children that has been silent for the longest time; null if none has been silent for long.
     string SilentAt(long now, string parent) => _frames
-        .Where(one => !one.Value.IsStationary && Stopwatch.GetElapsedTime(one.Value.ReceivedAt, now) > MaxSilence && IsLeaf(one.Key, parent))
+        .Where(one => !one.Value.IsStationary && time.GetElapsedTime(one.Value.ReceivedAt, now) > MaxSilence && IsLeaf(one.Key, parent))
         .OrderBy(one => one.Value.ReceivedAt).FirstOrDefault().Key;
 
     // Returns a frame without a source and without children; null if there is none.

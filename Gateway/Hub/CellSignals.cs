@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
@@ -11,7 +10,7 @@ namespace Nowpose.Gateway.Hub;
 /// <param name="began">Called with signals that had no source before.</param>
 /// <param name="ended">Called with the removed signals of a source.</param>
 sealed class CellSignals(
-    Action<HubMessage> publish, Action<IReadOnlyCollection<string>> began, Action<HubSource, IReadOnlyCollection<string>> ended)
+    TimeProvider time, Action<HubMessage> publish, Action<IReadOnlyCollection<string>> began, Action<HubSource, IReadOnlyCollection<string>> ended)
 {
     readonly RefusedValues<SignalsMessage> _refused = new(value => value.Stamp);
 
@@ -65,7 +64,7 @@ sealed class CellSignals(
         // Each value has its own time stamp, so each one is a message.
         _refused.PublishFree(Owners, (other, values) =>
         {
-            foreach (var value in values) Publish(other, value, [], Stopwatch.GetTimestamp());
+            foreach (var value in values) Publish(other, value, [], time.GetTimestamp());
         });
     }
 

@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using System.Text;
 using Nowpose.Protocol;
 
@@ -12,13 +11,13 @@ public sealed class HubMessage
 
     /// <summary>Creates a message on a topic of the cell.</summary>
     /// <param name="source">See <see cref="Source"/>.</param>
-    /// <param name="receivedAt">See <see cref="ReceivedAt"/>; null for the current time.</param>
-    internal HubMessage(string topic, IRosMessage content, HubSource source = null, long? receivedAt = null)
+    /// <param name="receivedAt">See <see cref="ReceivedAt"/>.</param>
+    internal HubMessage(string topic, IRosMessage content, HubSource source, long receivedAt)
     {
         Topic = topic;
         Source = source;
         Content = content;
-        ReceivedAt = receivedAt ?? Stopwatch.GetTimestamp();
+        ReceivedAt = receivedAt;
         _sec = new Lazy<byte[]>(() => Write(RosTimeForm.Sec));
         _secs = new Lazy<byte[]>(() => Write(RosTimeForm.Secs));
     }
@@ -44,7 +43,7 @@ public sealed class HubMessage
     internal IRosMessage Content { get; }
 
     /// <summary>
-    /// Time at which the last byte of the message was read, or at which this process created it, as a <see cref="Stopwatch"/> timestamp.
+    /// Time at which the last byte of the message was read, or at which this process created it: a timestamp of the hub's time provider.
     /// </summary>
     public long ReceivedAt { get; }
 
@@ -53,12 +52,13 @@ public sealed class HubMessage
     /// <param name="kind">The topic without the namespace.</param>
     /// <param name="joints">See <see cref="Joints"/>.</param>
     internal static HubMessage OfRobot(
-        string robot, string kind, IRosMessage content, HubSource source = null, long? receivedAt = null, string[] joints = null) =>
+        string robot, string kind, IRosMessage content, HubSource source, long receivedAt, string[] joints = null) =>
         new(RobotTopic.NameOf(robot, kind), content, source, receivedAt) { Kind = kind, Robot = robot, Joints = joints };
 
     /// <summary>Creates a message with a robot description.</summary>
     /// <inheritdoc cref="OfRobot" path="/param[@name='robot']"/>
-    internal static HubMessage Description(string urdf, string robot) => OfRobot(robot, RosTopics.RobotDescription, new StringMessage(urdf));
+    internal static HubMessage Description(string urdf, string robot, long receivedAt) =>
+        OfRobot(robot, RosTopics.RobotDescription, new StringMessage(urdf), source: null, receivedAt);
 
     /// <summary>Sets the <see cref="Sequence"/> and returns this message.</summary>
     internal HubMessage With(long sequence)

@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
@@ -38,7 +37,9 @@ public sealed class HubSource : IDisposable
     internal bool IsEnded { get; private set; }
 
     /// <summary>Publishes to all subscribers, without the joints that belong to another source.</summary>
-    /// <param name="receivedAt">Count of <see cref="Stopwatch"/> at which the last byte of the message was read; null for the current time.</param>
+    /// <param name="receivedAt">
+    /// Time at which the last byte of the message was read, a timestamp of the hub's time provider; null for the current time.
+    /// </param>
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>
     /// <returns>
     /// A refusal with the name of the first joint that belongs to another source, or the refusal of the whole message; null if all joints were
@@ -61,7 +62,7 @@ public sealed class HubSource : IDisposable
             if (_refused.TryGetValue(robot, out var urdf)) Describe(urdf, robot);
         }
 
-        var published = HubMessage.OfRobot(robot, RosTopics.JointStates, message, this, receivedAt, claimed.InCell);
+        var published = HubMessage.OfRobot(robot, RosTopics.JointStates, message, this, receivedAt ?? Now, claimed.InCell);
         if (claimed.AreLong && published.IsTooLong) return new Refusal(DropReason.TooLarge, DropMessages.AsWritten);
         _hub.Samples.Set(published);
         _hub.Publish(published);
@@ -74,7 +75,7 @@ public sealed class HubSource : IDisposable
     /// <inheritdoc cref="Publish(JointStateMessage, long?, string)"/>
     internal Refusal? Publish(JointTrajectoryMessage message, long? receivedAt = null, string robot = "")
     {
-        var published = HubMessage.OfRobot(robot, RosTopics.JointTrajectory, message, this, receivedAt);
+        var published = HubMessage.OfRobot(robot, RosTopics.JointTrajectory, message, this, receivedAt ?? Now);
         // The message may be longer than the received one, because numbers get more digits.
         if (published.IsTooLong) return new Refusal(DropReason.TooLarge, DropMessages.AsWritten);
         var refusal = _hub.Claim(this, robot, RosTopics.JointTrajectory, message.Names, out _);
@@ -95,7 +96,7 @@ public sealed class HubSource : IDisposable
         var refusal = _hub.Claim(this, robot, RosTopics.RobotDescription, TheRobot, out _);
         if (refusal?.Reason == DropReason.JointTaken) _refused[robot] = urdf;
         else _refused.Remove(robot);
-        if (refusal == null) _hub.PublishDescription(HubMessage.Description(urdf, robot));
+        if (refusal == null) _hub.PublishDescription(HubMessage.Description(urdf, robot, Now));
         return refusal;
     }
 
@@ -109,7 +110,7 @@ public sealed class HubSource : IDisposable
     /// <returns>Whether at least one transform was published.</returns>
     /// <inheritdoc cref="Publish(JointStateMessage, long?, string)" path="/param[@name='receivedAt']"/>
     internal bool Publish(TransformsMessage message, bool isStationary, List<LeftOut> leftOut, long? receivedAt = null) =>
-        _hub.Publish(this, message, isStationary, leftOut, receivedAt ?? Stopwatch.GetTimestamp());
+        _hub.Publish(this, message, isStationary, leftOut, receivedAt ?? Now);
 
     /// <summary>Publishes signals and keeps them for later subscribers.</summary>
     /// <param name="message">The message, which must not change afterwards.</param>
@@ -117,17 +118,17 @@ public sealed class HubSource : IDisposable
     /// <returns>Whether at least one signal was published.</returns>
     /// <inheritdoc cref="Publish(JointStateMessage, long?, string)" path="/param[@name='receivedAt']"/>
     internal bool Publish(SignalsMessage message, List<LeftOut> leftOut, long? receivedAt = null) =>
-        _hub.Publish(this, message, leftOut, receivedAt ?? Stopwatch.GetTimestamp());
+        _hub.Publish(this, message, leftOut, receivedAt ?? Now);
 
     /// <summary>Marks a robot's topic as used by this source. The namespace counts as used until the topic is released.</summary>
     /// <returns>A refusal if there are too many robots; otherwise null.</returns>
     internal Refusal? Use(RobotTopic topic) => _hub.Use(this, topic.Robot, topic.Kind);
 
     /// <summary>Publishes a message whose parts belong to no source, such as diagnostics or the pose that a headset displays.</summary>
-    internal void Publish(string topic, IRosMessage message) => _hub.Publish(new HubMessage(topic, message, this));
+    internal void Publish(string topic, IRosMessage message) => _hub.Publish(new HubMessage(topic, message, this, Now));
 
     /// <summary>Publishes a message whose parts belong to no source. The newest message on the topic is kept for later subscribers.</summary>
-    internal void PublishNewest(string topic, IRosMessage message) => _hub.PublishNewest(this, new HubMessage(topic, message, this));
+    internal void PublishNewest(string topic, IRosMessage message) => _hub.PublishNewest(this, new HubMessage(topic, message, this, Now));
 
     /// <summary>Whether none of these joints of a robot belongs to another source.</summary>
     internal bool MayPublish(string robot, string[] names) => _hub.IsFree(this, robot, names);
@@ -177,6 +178,8 @@ public sealed class HubSource : IDisposable
         IsEnded = true;
         Release(null);
     }
+
+    long Now => _hub.Time.GetTimestamp();
 
     // Whether the names take up half of the maximum length, so that they may not fit in one message with the numbers of each joint.
     static bool AreLong(string[] names) => names.Sum(RosMessageWriter.MaxBytesOf) > ProtocolLimits.MessageBytes / 2;

@@ -15,12 +15,18 @@ public sealed class MessageHub
     readonly CellSignals _signals;
     long _sequence;
 
-    public MessageHub()
+    /// <param name="time">Time source of the hub and its clients; null for the system's.</param>
+    public MessageHub(TimeProvider time = null)
     {
-        Links = new RobotLinks(RemoveCycles);
-        Frames = new CellFrames(Links, Samples, PublishNumbered, ReportDropped);
-        _signals = new CellSignals(PublishNumbered, names => SignalsBegan?.Invoke(names), (source, names) => SignalsEnded?.Invoke(source, names));
+        Time = time ?? TimeProvider.System;
+        Forwarding = new ForwardingTimes(Time);
+        Links = new RobotLinks(() => Exclusively(Frames.RemoveCycles));
+        Frames = new CellFrames(Links, Samples, Time, PublishNumbered, ReportDropped);
+        _signals = new CellSignals(
+            Time, PublishNumbered, names => SignalsBegan?.Invoke(names), (source, names) => SignalsEnded?.Invoke(source, names));
     }
+
+    internal TimeProvider Time { get; }
 
     /// <summary>Number of topics with at least one subscriber.</summary>
     internal int Topics => _subscribers.Topics;
@@ -41,7 +47,7 @@ public sealed class MessageHub
     internal NewestSamples Samples { get; } = new();
 
     /// <summary>Times from the receipt of a joint state until it is written to a subscriber's socket.</summary>
-    public ForwardingTimes Forwarding { get; } = new();
+    public ForwardingTimes Forwarding { get; }
 
     /// <summary>
     /// Raised when a joint, frame or signal of a source is refused because another source owns it, with the source, the topic, the name and the owner.
@@ -278,11 +284,6 @@ public sealed class MessageHub
             if (topic is null or RosTopics.Signals) _signals.Release(source);
             _robots.Release(source, topic);
         }
-    }
-
-    void RemoveCycles()
-    {
-        lock (_lock) Frames.RemoveCycles();
     }
 
     // Called under the lock.

@@ -71,7 +71,7 @@ public sealed class Recorder : IAsyncDisposable
         _subscriptions.Add(hub.Subscribe(RosTopics.RobotDescription, Describe));
         _subscriptions.Add(hub.SubscribeToRobots(RosTopics.RobotDescription, Describe));
         foreach (var robot in hub.Robots)
-            if (hub.DescriptionOf(robot) is { } urdf) Describe(HubMessage.Description(urdf, robot));
+            if (hub.DescriptionOf(robot) is { } urdf) Describe(robot, urdf);
         foreach (var topic in Topics) _subscriptions.Add(hub.Subscribe(topic, Take));
         foreach (var topic in RobotTopics) _subscriptions.Add(hub.SubscribeToRobots(topic, Take));
         plant.Added += Listen;
@@ -181,12 +181,13 @@ public sealed class Recorder : IAsyncDisposable
         if (file.RequestsNext(_maxBytes)) ThreadPool.UnsafeQueueUserWorkItem(_ => Renew(file), null);
     }
 
-    void Describe(HubMessage message)
+    // Must not block, because the hub calls this method under its lock.
+    void Describe(HubMessage message) => Describe(message.Robot, ((StringMessage)message.Content).Data);
+
+    void Describe(string robot, string urdf)
     {
-        // Must not block, because the hub calls this method under its lock.
-        var urdf = ((StringMessage)message.Content).Data;
         ImmutableInterlocked.Update(
-            ref _robots, robots => robots.GetValueOrDefault(message.Robot)?.Urdf == urdf ? robots : robots.SetItem(message.Robot, new DescribedRobot(urdf)));
+            ref _robots, robots => robots.GetValueOrDefault(robot)?.Urdf == urdf ? robots : robots.SetItem(robot, new DescribedRobot(urdf)));
         RenewOnRobotChange();
     }
 

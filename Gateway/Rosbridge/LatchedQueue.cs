@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using System.Threading.Channels;
 using Nowpose.Gateway.Hub;
 using Nowpose.Protocol;
@@ -24,7 +23,7 @@ sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queu
     const int MaxNames = 4 * ProtocolLimits.Signals;
 
     /// <summary>A queue entry without content that wakes the sending loop.</summary>
-    public static readonly HubMessage Wake = new(null, null);
+    public static readonly HubMessage Wake = new(null, null, null, 0);
 
     // Values read from the hub. They are sent before the messages in the queue.
     readonly Queue<HubMessage> _read = [];
@@ -64,7 +63,7 @@ sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queu
     /// <summary>Removes and returns the next message; null if there is none. Not thread-safe.</summary>
     /// <param name="isOld">
     /// Returns whether a message has waited too long for the client, so that the newest values are sent instead. The argument is the time at
-    /// which the message was received, a count of <see cref="Stopwatch"/>.
+    /// which the message was received, a timestamp of the hub's time provider.
     /// </param>
     public HubMessage Next(Func<long, bool> isOld)
     {
@@ -114,7 +113,7 @@ sealed class LatchedQueue(MessageHub hub, string topic, Channel<HubMessage> queu
         HubMessage[] earlier = [.. _read];
         waiting.AddRange(earlier.Select(message => message.Sequence));
         _read.Clear();
-        _readAt = Stopwatch.GetTimestamp();
+        _readAt = hub.Time.GetTimestamp();
         var read = hub.ReadLatched(topic, () =>
         {
             while (queue.Reader.TryRead(out var queued))

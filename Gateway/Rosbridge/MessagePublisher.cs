@@ -34,7 +34,7 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
     /// <summary>Publishes a message.</summary>
     /// <param name="message">The message, whose stamps are valid.</param>
     /// <param name="stamp">Stamp of the message, on C1.</param>
-    /// <param name="receivedAt">Time at which the last byte of the message was read, a count of <see cref="System.Diagnostics.Stopwatch"/>.</param>
+    /// <param name="receivedAt">Time at which the last byte of the message was read, a timestamp of the hub's time provider.</param>
     /// <returns>Null if the message was published.</returns>
     public Refusal? Publish(RosbridgeMessage message, ControlTime stamp, long receivedAt)
     {

@@ -7,7 +7,7 @@ using Nowpose.Protocol;
 namespace Nowpose.Gateway.Rosbridge;
 
 /// <summary>The clocks of the control system that one client offers. Not thread-safe.</summary>
-sealed class PlantTimeOffers(PlantClocks clocks, HubSource client, Action<ReadOnlyMemory<byte>> send) : IDisposable
+sealed class PlantTimeOffers(PlantClocks clocks, HubSource client, TimeProvider time, Action<ReadOnlyMemory<byte>> send) : IDisposable
 {
     readonly Dictionary<string, Offered> _offers = [];
     // The first clock that the client offered, or a clock without exchanges if there are too many clocks.
@@ -73,7 +73,7 @@ sealed class PlantTimeOffers(PlantClocks clocks, HubSource client, Action<ReadOn
 
     /// <summary>Passes on a response from the client.</summary>
     /// <param name="response">The response.</param>
-    /// <param name="count">Time at which the last byte of the response was read, as a <see cref="System.Diagnostics.Stopwatch"/> timestamp.</param>
+    /// <param name="count">Time at which the last byte of the response was read, a timestamp of the hub's time provider.</param>
     public void Answer(RosbridgeMessage response, long count)
     {
         if (_offers.TryGetValue(response.Service, out var offered)) offered.Answer(response, clocks.Counter.At(count));
@@ -86,7 +86,7 @@ sealed class PlantTimeOffers(PlantClocks clocks, HubSource client, Action<ReadOn
     }
 
     PlantClockCaller NewCaller(PlantClock clock, string service) => new(
-        clock, clocks.Counter, TimeProvider.System, id => send(Encoding.UTF8.GetBytes(RosbridgeWriter.CallService(service, id))))
+        clock, clocks.Counter, time, id => send(Encoding.UTF8.GetBytes(RosbridgeWriter.CallService(service, id))))
     { Client = client };
 
     // Another client may serve a clock of the same name but with another time. The stamps of this client are then converted with its own times.

@@ -58,6 +58,8 @@ sealed class ReaderProgress : IDisposable
 
     TimeSpan Now => _time.GetElapsedTime(_start);
 
+    public TimeProvider Time => _time;
+
     /// <summary>Timeout within which the client must answer a ping, and within which a part of a message must be sent.</summary>
     public TimeSpan PongTimeout => _pongTimeout;
 

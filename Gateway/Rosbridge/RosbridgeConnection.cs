@@ -184,7 +184,7 @@ sealed class RosbridgeConnection : IDisposable
     {
         try
         {
-            await sending.WaitAsync(_reader.PongTimeout);
+            await sending.WaitAsync(_reader.PongTimeout, _reader.Time);
             _reader.OnWaited();
         }
         catch (TimeoutException)
@@ -214,14 +214,14 @@ sealed class RosbridgeConnection : IDisposable
     async Task StopPumpsAsync(Task replying, bool isGone)
     {
         var pumps = Task.WhenAll([replying, .. _switches.Values.Select(one => one.Ended)]);
-        if (isGone || await Task.WhenAny(pumps, Task.Delay(CloseTimeout)) != pumps)
+        if (isGone || await Task.WhenAny(pumps, Task.Delay(CloseTimeout, _reader.Time)) != pumps)
             _socket.Abort();
         await pumps;
     }
 
     async Task CloseAsync(Closure why)
     {
-        using var timeout = new CancellationTokenSource(CloseTimeout);
+        using var timeout = new CancellationTokenSource(CloseTimeout, _reader.Time);
         try
         {
             // Responds to the client's close frame with the same code.
@@ -230,7 +230,7 @@ sealed class RosbridgeConnection : IDisposable
             else
                 await _socket.CloseOutputAsync(StatusOf(why), why.ToString(), timeout.Token);
             if (Ended != null)
-                await Task.Delay(CloseTimeout, _stop.Token);
+                await Task.Delay(CloseTimeout, _reader.Time, _stop.Token);
             else if (why != Closure.ByPeer)
                 await _receiver.DrainAsync(CloseTimeout);
         }

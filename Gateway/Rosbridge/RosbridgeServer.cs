@@ -94,9 +94,9 @@ sealed class RosbridgeServer(
         // Only a source may send long messages.
         var longest = isSource ? ProtocolLimits.DescriptionBytes : ProtocolLimits.MessageBytes;
         var perSecond = isSource ? options.SourceMessagesPerSecond : options.ObserverMessagesPerSecond;
-        var receiver = new MessageReceiver(socket, upgrade.Fragments, options, longest, new RequestRate(perSecond), TimeProvider.System);
+        var receiver = new MessageReceiver(socket, upgrade.Fragments, options, longest, new RequestRate(perSecond, hub.Time), hub.Time);
         using var reader = new ReaderProgress(
-            upgrade.PingAsync, options.PingInterval, options.PongTimeout, TimeProvider.System,
+            upgrade.PingAsync, options.PingInterval, options.PongTimeout, hub.Time,
             () => log(RequestMessages.NoPong(AddressOf(context.Connection), SendWindow.AssumedBytesPerSecond / 1000)));
         upgrade.Fragments.Pong = payload => reader.OnPong(payload.Span);
         SendBuffer.Limit(context);

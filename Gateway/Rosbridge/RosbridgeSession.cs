@@ -44,7 +44,7 @@ sealed class RosbridgeSession : IDisposable
         _drops = drops;
         _reply = reply;
         _subscriptions = new SubscriptionSet(hub, queueLength, drops, start);
-        _offers = new PlantTimeOffers(plant, _source, reply);
+        _offers = new PlantTimeOffers(plant, _source, hub.Time, reply);
         _replies = new StatusReplies(_source, drops, _rights, Reply);
         _publisher = new MessagePublisher(_source, clock, _offers);
     }

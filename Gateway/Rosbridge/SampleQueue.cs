@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using System.Threading.Channels;
 using Nowpose.Gateway.Hub;
 using Nowpose.Protocol;
@@ -21,12 +20,9 @@ sealed class SampleQueue(MessageHub hub, Channel<HubMessage> queue, bool isThrot
     /// <summary>Maximum time for which a sample waits for a slow reader. An older sample is dropped if a newer one is queued.</summary>
     static readonly TimeSpan MaxSampleAge = TimeSpan.FromMilliseconds(150);
 
-    /// <summary>Time without a newer sample after which a joint or frame is at rest, in counts of <see cref="Stopwatch"/>: one second.</summary>
-    static readonly long RestCounts = Stopwatch.Frequency;
-
     readonly Lock _lock = new();
 
-    // Newest samples that are not in the queue, by joint or frame, each with the count of Stopwatch from which it may be sent.
+    // Newest samples that are not in the queue, by joint or frame, each with the timestamp from which it may be sent.
     readonly Dictionary<string, (HubMessage Message, long From)> _unsent = [];
 
     /// <summary>Time until the next sample that is not in the queue may be sent; null if there is none.</summary>
@@ -37,28 +33,29 @@ sealed class SampleQueue(MessageHub hub, Channel<HubMessage> queue, bool isThrot
             lock (_lock)
             {
                 if (_unsent.Count == 0) return null;
-                var wait = Stopwatch.GetElapsedTime(Stopwatch.GetTimestamp(), _unsent.Values.Min(one => one.From));
+                var wait = hub.Time.GetElapsedTime(hub.Time.GetTimestamp(), _unsent.Values.Min(one => one.From));
                 return wait < TimeSpan.Zero ? TimeSpan.Zero : wait;
             }
         }
     }
 
     /// <summary>Returns whether a message has waited too long for the client.</summary>
-    /// <param name="receivedAt">Time at which the message was received, a count of <see cref="Stopwatch"/>.</param>
-    /// <param name="waitedUntil">Time at which the last wait of a message for the client ended, a count of <see cref="Stopwatch"/>.</param>
-    public static bool IsOld(long receivedAt, long waitedUntil) => receivedAt < waitedUntil && Stopwatch.GetElapsedTime(receivedAt) > MaxSampleAge;
+    /// <param name="receivedAt">Time at which the message was received, a timestamp of the hub's time provider.</param>
+    /// <param name="waitedUntil">Time at which the last wait of a message for the client ended, a timestamp of the hub's time provider.</param>
+    public static bool IsOld(long receivedAt, long waitedUntil, TimeProvider time) =>
+        receivedAt < waitedUntil && time.GetElapsedTime(receivedAt) > MaxSampleAge;
 
     /// <summary>Keeps the newest joint states on a topic for the client. Call this method after the subscription, so that none is missed.</summary>
     public void Start(string topic)
     {
-        foreach (var message in hub.Samples.On(topic)) Keep(message, message.ReceivedAt + RestCounts);
+        foreach (var message in hub.Samples.On(topic)) Keep(message, RestOf(message));
     }
 
     /// <summary>Records a message that was dropped from the full queue. Thread-safe.</summary>
     public void Lose(HubMessage message)
     {
         lost();
-        Keep(message, isThrottled ? message.ReceivedAt + RestCounts : 0);
+        Keep(message, isThrottled ? RestOf(message) : 0);
     }
 
     /// <summary>Removes and returns the next message; null if there is none. Not thread-safe.</summary>
@@ -73,7 +70,7 @@ sealed class SampleQueue(MessageHub hub, Channel<HubMessage> queue, bool isThrot
         {
             // Drops only messages that waited for the client. A message that waited for another reason, such as a busy processor, is sent late.
             var isSample = message.Content is JointStateMessage or TransformsMessage;
-            if (!isSample || !IsOld(message.ReceivedAt, waitedUntil) || !queue.Reader.TryPeek(out _)) return Sent(message);
+            if (!isSample || !IsOld(message.ReceivedAt, waitedUntil, hub.Time) || !queue.Reader.TryPeek(out _)) return Sent(message);
             string[] newest = [.. MessageParts.NamesIn(message).Where(name => hub.Samples.IsNewest(message, name))];
             if (newest.Length > 0) return MessageParts.Only(Sent(message), newest.Contains);
             lost();
@@ -81,6 +78,9 @@ sealed class SampleQueue(MessageHub hub, Channel<HubMessage> queue, bool isThrot
 
         return null;
     }
+
+    // Returns the time at which the joints or frames of a message are at rest if no newer sample has arrived: after one second.
+    long RestOf(HubMessage message) => message.ReceivedAt + hub.Time.TimestampFrequency;
 
     void Keep(HubMessage message, long from)
     {
@@ -107,7 +107,7 @@ sealed class SampleQueue(MessageHub hub, Channel<HubMessage> queue, bool isThrot
             if (_unsent.Count == 0) return null;
             foreach (var (name, one) in _unsent)
                 if (!hub.Samples.IsNewest(one.Message, name)) _unsent.Remove(name);
-            var now = Stopwatch.GetTimestamp();
+            var now = hub.Time.GetTimestamp();
             var first = _unsent.Values.Where(one => one.From <= now).Select(one => one.Message).MinBy(message => message.ReceivedAt);
             if (first == null) return null;
             HashSet<string> names = [.. _unsent.Where(one => one.Value.Message == first).Select(one => one.Key)];

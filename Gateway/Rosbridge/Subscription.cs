@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using System.Threading.Channels;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Status;
@@ -53,7 +52,7 @@ sealed class Subscription : IDisposable
     /// <summary>Sends messages until the subscription is disposed or sending fails.</summary>
     /// <param name="send">
     /// Waits until the client has room for a message, then calls its argument to select a message, and sends that message. The parameter of
-    /// this argument is the time at which the last wait of a message for the client ended, a count of <see cref="Stopwatch"/>.
+    /// this argument is the time at which the last wait of a message for the client ended, a timestamp of the hub's time provider.
     /// </param>
     /// <param name="stop">Ends the wait of a throttled subscription.</param>
     public async Task PumpAsync(Func<Func<long, ReadOnlyMemory<byte>>, Task> send, CancellationToken stop)
@@ -61,13 +60,13 @@ sealed class Subscription : IDisposable
         // Passes no cancellation token, because it requires a registration for each message. The end of the connection disposes the subscription.
         while (HasMore || (_samples?.UnsentIn is { } wait ? await WaitToReadAsync(wait) : await _queue.Reader.WaitToReadAsync(CancellationToken.None)))
         {
-            var began = Stopwatch.GetTimestamp();
+            var began = _hub.Time.GetTimestamp();
             HubMessage message = null;
             var isKept = false;
             await send(waitedUntil => (message = Next(waitedUntil, out isKept))?.Utf8(_terms.Form) ?? default);
             if (message == null) continue;
             if (!isKept) _times?.Add(message.ReceivedAt);
-            var rest = TimeSpan.FromMilliseconds(_terms.ThrottleMs) - Stopwatch.GetElapsedTime(began);
+            var rest = TimeSpan.FromMilliseconds(_terms.ThrottleMs) - _hub.Time.GetElapsedTime(began);
             if (rest > TimeSpan.Zero && _latched?.IsNextTogether != true && await IsOverWithinAsync(rest, stop))
                 return;
         }
@@ -99,13 +98,13 @@ sealed class Subscription : IDisposable
     {
         if (_latched == null) return _samples.Next(waitedUntil, out isKept);
         isKept = false;
-        return _latched.Next(receivedAt => SampleQueue.IsOld(receivedAt, waitedUntil));
+        return _latched.Next(receivedAt => SampleQueue.IsOld(receivedAt, waitedUntil, _hub.Time));
     }
 
     // Waits for a message in the queue, at most until the next sample that is not in the queue may be sent. Returns false at the end of the subscription.
     async Task<bool> WaitToReadAsync(TimeSpan wait)
     {
-        using var over = new CancellationTokenSource(wait);
+        using var over = new CancellationTokenSource(wait, _hub.Time);
         try
         {
             return await _queue.Reader.WaitToReadAsync(over.Token);
@@ -119,10 +118,9 @@ sealed class Subscription : IDisposable
     // Returns whether the subscription ends during the wait. The wait must end early, because a throttle interval can be as long as a month.
     async Task<bool> IsOverWithinAsync(TimeSpan rest, CancellationToken stop)
     {
-        using var waited = CancellationTokenSource.CreateLinkedTokenSource(stop);
-        var first = await Task.WhenAny(_ended.Task, Task.Delay(rest, waited.Token));
-        await waited.CancelAsync();
-        return first == _ended.Task || stop.IsCancellationRequested;
+        await _ended.Task.WaitAsync(rest, _hub.Time, stop)
+            .ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing | ConfigureAwaitOptions.ContinueOnCapturedContext);
+        return _ended.Task.IsCompleted || stop.IsCancellationRequested;
     }
 
     public void Dispose()

@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace Nowpose.Gateway.Status;
 
 /// <summary>
@@ -29,8 +27,8 @@ public sealed class ForwardingTimes(TimeProvider time = null)
     internal long[] Counts() => [.. Enumerable.Range(0, _counts.Length).Select(i => Interlocked.Read(ref _counts[i]))];
 
     /// <summary>Adds a message that was just sent.</summary>
-    /// <param name="receivedAt">Time at which the message was received, a count of <see cref="Stopwatch"/>.</param>
-    public void Add(long receivedAt) => Add(Stopwatch.GetElapsedTime(receivedAt));
+    /// <param name="receivedAt">Time at which the message was received, a timestamp of the time provider.</param>
+    public void Add(long receivedAt) => Add(_time.GetElapsedTime(receivedAt));
 
     internal void Add(TimeSpan length)
     {

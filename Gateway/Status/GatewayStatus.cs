@@ -37,7 +37,7 @@ sealed class GatewayStatus : IDisposable
     readonly MessageHub _hub;
     readonly DropCounters _drops;
     readonly (string Name, ConnectionCounters Counters)[] _connections;
-    readonly SourceWatch _sources = new();
+    readonly SourceWatch _sources;
     readonly DiagnosticsBoard _diagnostics;
     readonly JointBoard _joints;
     readonly CellBoard _cell;
@@ -64,6 +64,7 @@ sealed class GatewayStatus : IDisposable
         _hub = hub;
         _drops = drops;
         _connections = [("sync", sync), ("websocket", webSocket)];
+        _sources = new SourceWatch(hub.Time);
         _diagnostics = new DiagnosticsBoard(options.Time);
         _joints = new JointBoard(
             options.Time, () => limits.Robots, log,

@@ -1,9 +1,7 @@
-using System.Diagnostics;
-
 namespace Nowpose.Gateway.Status;
 
 /// <summary>The receipt times and ages of the newest messages of one source.</summary>
-sealed class SourceTrack
+sealed class SourceTrack(TimeProvider time)
 {
     const int Remembered = 512;
     static readonly TimeSpan Span = TimeSpan.FromSeconds(5);
@@ -35,5 +33,5 @@ sealed class SourceTrack
 
     /// <summary>Gets the samples of the last few seconds.</summary>
     public (long At, TimeSpan Age)[] Recent(long now) =>
-        [.. _ring.Take(_count).Where(sample => Stopwatch.GetElapsedTime(sample.At, now) < Span)];
+        [.. _ring.Take(_count).Where(sample => time.GetElapsedTime(sample.At, now) < Span)];
 }

@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status;
@@ -8,7 +7,8 @@ namespace Nowpose.Gateway.Status;
 /// Messages with a common joint belong to the same source, because a publisher that sends only changes names other joints of its robot in each
 /// message. An arm and a gripper that are never published together are two sources.
 /// </remarks>
-sealed class SourceWatch
+/// <param name="time">Time source of the receipt; null for the system's.</param>
+sealed class SourceWatch(TimeProvider time = null)
 {
     /// <summary>Maximum number of sources. Further sources are ignored until one is removed.</summary>
     internal const int MaxSources = 64;
@@ -18,6 +18,7 @@ sealed class SourceWatch
 
     static readonly TimeSpan ForgottenAfter = TimeSpan.FromSeconds(10);
 
+    readonly TimeProvider _time = time ?? TimeProvider.System;
     readonly Lock _lock = new();
     readonly Dictionary<string, SourceTrack> _byJoint = [];
     readonly List<SourceTrack> _tracks = [];
@@ -26,7 +27,7 @@ sealed class SourceWatch
 
     /// <summary>Adds a sample.</summary>
     /// <param name="names">Joints of the sample.</param>
-    /// <param name="receivedAt">Time of the receipt, a count of <see cref="Stopwatch"/>.</param>
+    /// <param name="receivedAt">Time of the receipt, a timestamp of the time provider.</param>
     /// <param name="age">C1 at the receipt minus t_k.</param>
     public void Add(string[] names, long receivedAt, TimeSpan age)
     {
@@ -35,7 +36,7 @@ sealed class SourceWatch
             var track = Known(names);
             if (track == null && IsFull) Forget(receivedAt);
             if (track == null && (IsFull || names.Length == 0)) return;
-            if (track == null) _tracks.Add(track = new SourceTrack());
+            if (track == null) _tracks.Add(track = new SourceTrack(_time));
             foreach (var name in names)
                 if (_byJoint.Count < MaxJoints && _byJoint.TryAdd(name, track)) track.Joints.Add(name);
             track.Add(receivedAt, age);
@@ -43,7 +44,7 @@ sealed class SourceWatch
     }
 
     /// <summary>Gets the active sources with the ages of their recent samples.</summary>
-    public IReadOnlyList<(string[] Names, double RateHz, TimeSpan[] SortedAges)> Read() => Read(Stopwatch.GetTimestamp());
+    public IReadOnlyList<(string[] Names, double RateHz, TimeSpan[] SortedAges)> Read() => Read(_time.GetTimestamp());
 
     internal IReadOnlyList<(string[] Names, double RateHz, TimeSpan[] SortedAges)> Read(long now)
     {
@@ -81,18 +82,18 @@ sealed class SourceWatch
 
     void Forget(long now)
     {
-        foreach (var track in _tracks.Where(track => Stopwatch.GetElapsedTime(track.Newest, now) > ForgottenAfter).ToArray())
+        foreach (var track in _tracks.Where(track => _time.GetElapsedTime(track.Newest, now) > ForgottenAfter).ToArray())
         {
             _tracks.Remove(track);
             foreach (var joint in track.Joints) _byJoint.Remove(joint);
         }
     }
 
-    static double RateHz((long At, TimeSpan Age)[] samples, long now)
+    double RateHz((long At, TimeSpan Age)[] samples, long now)
     {
         if (samples.Length < 2) return 0;
         // Divides by the time until now, so that the rate of a source that has stopped decreases until the source is removed.
         var (first, last) = (samples.Min(sample => sample.At), samples.Max(sample => sample.At));
-        return (samples.Length - 1) / Math.Max(1e-6, Stopwatch.GetElapsedTime(first, Math.Max(now, last)).TotalSeconds);
+        return (samples.Length - 1) / Math.Max(1e-6, _time.GetElapsedTime(first, Math.Max(now, last)).TotalSeconds);
     }
 }
