@@ -20,7 +20,8 @@ sealed class Subscription : IDisposable
     // One of the two is null.
     readonly LatchedQueue _latched;
     readonly SampleQueue _samples;
-    readonly TaskCompletionSource _ended = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    // Continues the sending loop on the thread that ends the subscription. The loop then only returns.
+    readonly TaskCompletionSource _ended = new();
 
     public Subscription(MessageHub hub, string topic, SubscriptionTerms terms, int standardQueue, DropCounters drops)
     {
