@@ -1,6 +1,6 @@
 namespace Nowpose.Tests.Common;
 
-/// <summary>A time provider that a test advances, with timers that fire once.</summary>
+/// <summary>A time provider that a test advances, with timers.</summary>
 sealed class SteppedTimers : TimeProvider
 {
     readonly List<Timer> _timers = [];
@@ -10,14 +10,19 @@ sealed class SteppedTimers : TimeProvider
     public override DateTimeOffset GetUtcNow() => _time.GetUtcNow();
     public override long GetTimestamp() => _time.GetTimestamp();
 
+    /// <inheritdoc cref="SteppedTime.Correct"/>
+    public void Correct(TimeSpan by) => _time.Correct(by);
+
     /// <summary>Advances the time and fires the timers that become due, on the calling thread.</summary>
-    public void Advance(TimeSpan by)
+    /// <param name="fired">Called after each timer that has fired; null for nothing.</param>
+    public void Advance(TimeSpan by, Action fired = null)
     {
         var end = GetTimestamp() + by.Ticks;
         while (_timers.Where(timer => timer.Due <= end).MinBy(timer => timer.Due) is { } next)
         {
             _time.Advance(new TimeSpan(next.Due - GetTimestamp()));
             next.Fire();
+            fired?.Invoke();
         }
 
         _time.Advance(new TimeSpan(end - GetTimestamp()));
@@ -26,12 +31,12 @@ sealed class SteppedTimers : TimeProvider
     public override ITimer CreateTimer(TimerCallback callback, object state, TimeSpan dueTime, TimeSpan period)
     {
         var timer = new Timer(this, () => callback(state));
-        timer.Change(dueTime, period);
         _timers.Add(timer);
+        timer.Change(dueTime, period);
         return timer;
     }
 
-    sealed class Timer(TimeProvider time, Action fire) : ITimer
+    sealed class Timer(SteppedTimers time, Action fire) : ITimer
     {
         TimeSpan _period;
 
@@ -50,7 +55,7 @@ sealed class SteppedTimers : TimeProvider
             fire();
         }
 
-        public void Dispose() => Due = long.MaxValue;
+        public void Dispose() => time._timers.Remove(this);
 
         public ValueTask DisposeAsync()
         {
