@@ -19,7 +19,10 @@ sealed class AdapterProcess : IAsyncDisposable
     readonly TimeProvider _time;
     readonly CancellationTokenSource _stop = new();
     readonly Task _running;
-    volatile Process _process;
+
+    // Id of the running program; 0 while it is not running.
+    volatile int _processId;
+
     volatile string _end;
     long _startedAt;
 
@@ -35,10 +38,10 @@ sealed class AdapterProcess : IAsyncDisposable
     }
 
     public AdapterState State =>
-        new(_plant.Name, _process == null ? null : _time.GetElapsedTime(Interlocked.Read(ref _startedAt)), _end);
+        new(_plant.Name, _processId == 0 ? null : _time.GetElapsedTime(Interlocked.Read(ref _startedAt)), _end);
 
     /// <summary>Id of the running program; null while it is not running.</summary>
-    internal int? ProcessId => _process?.Id;
+    internal int? ProcessId => _processId is var id and not 0 ? id : null;
 
     public async ValueTask DisposeAsync()
     {
@@ -55,7 +58,7 @@ sealed class AdapterProcess : IAsyncDisposable
             var started = Stopwatch.GetTimestamp();
             var end = await RunOnceAsync();
             _end = end;
-            _process = null;
+            _processId = 0;
             if (_stop.IsCancellationRequested) return;
             if (Stopwatch.GetElapsedTime(started) > MinRunTime) pause = FirstPause;
             _log(AdapterMessages.Ended(_plant.Path, end, pause.TotalSeconds));
@@ -71,7 +74,7 @@ sealed class AdapterProcess : IAsyncDisposable
         {
             using var process = AdapterProgram.Start(_plant.Path, [], _access);
             Interlocked.Exchange(ref _startedAt, _time.GetTimestamp());
-            _process = process;
+            _processId = process.Id;
             process.OutputDataReceived += (_, line) => Log(line.Data);
             process.ErrorDataReceived += (_, line) => Log(line.Data);
             process.BeginOutputReadLine();
