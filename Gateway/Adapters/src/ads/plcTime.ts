@@ -1,20 +1,20 @@
 import type { AdsSymbol } from 'ads-client';
-import { finePause } from '../clock/finePause';
+import { READINGS_AT_ONCE } from '../clock/clockStep';
 import type { ClockReading } from '../clock/offeredClock';
 import type { TimeUnit } from '../samples/timeUnit';
-import { type Nanoseconds, ofFileTime } from '../times';
+import { ofFileTime } from '../times';
 import { timeOf } from './decoding';
 import type { ReadOnlyClient } from './readOnlyClient';
 import { adsMessages } from '../messages/ads';
 
-const PROBES = 64;
-const PROBE_EVERY_MS = 1;
 const MAX_WAIT_MS = 1500;
 const MAX_EARLY = 64;
 
 /** The clock that stamps a PLC's values. */
 export interface PlcTime {
   read(): Promise<ClockReading>;
+  /** Maximum number of simultaneous calls of `read`. */
+  readonly atOnce: number;
   /** Takes the stamp of a notification whose handle does not belong to a configured value. */
   saw(handle: number, stamp: bigint): void;
 }
@@ -24,6 +24,7 @@ export interface PlcTime {
  * and sends the first notification at once, so this stamp lies between the request and the arrival of the notification.
  */
 export class NotificationTime implements PlcTime {
+  readonly atOnce = 1;
   readonly #waiting = new Map<number, (stamp: bigint) => void>();
   /** Stamps of unknown handles, because the first notification may arrive before the response that contains its handle. */
   readonly #early = new Map<number, bigint>();
@@ -78,48 +79,20 @@ export class NotificationTime implements PlcTime {
 
 /** The clock in a variable of the PLC. A task writes the variable once per cycle, so the resolution is one cycle. */
 export class VariableTime implements PlcTime {
-  #resolution: Nanoseconds | null;
+  readonly atOnce = READINGS_AT_ONCE;
 
-  /** @param resolution Cycle of the task that writes the variable; null to measure it. */
   constructor(
     readonly client: ReadOnlyClient,
     readonly symbol: AdsSymbol,
     readonly unit: TimeUnit,
-    resolution: Nanoseconds | null,
-  ) {
-    this.#resolution = resolution;
-  }
+  ) {}
 
   saw(): void {}
 
   async read(): Promise<ClockReading> {
-    this.#resolution ??= await this.#step();
-    const time = await this.#value();
-    return { received: time, sent: time, resolution: this.#resolution };
-  }
-
-  async #value(): Promise<Nanoseconds> {
     const { indexGroup, indexOffset, size, name } = this.symbol;
     const time = timeOf(this.symbol, this.unit, await this.client.readRaw(indexGroup, indexOffset, size));
     if (time === null) throw new Error(adsMessages.noTime(name));
-    return time;
-  }
-
-  /** Measures the resolution: the smallest step between values requested every 1 ms, without waiting for the response to the previous request. */
-  async #step(): Promise<Nanoseconds> {
-    const asked: Promise<Nanoseconds>[] = [];
-    const never = new AbortController().signal;
-    for (let i = 0; i < PROBES; i++) {
-      asked.push(this.#value());
-      asked[i].catch(() => {});
-      await finePause(PROBE_EVERY_MS, never);
-    }
-    const times = (await Promise.all(asked)).sort((a, b) => (a < b ? -1 : 1));
-    const steps = times
-      .slice(1)
-      .map((time, i) => time - times[i])
-      .filter(step => step > 0n);
-    if (steps.length === 0) throw new Error(adsMessages.clockStopped(this.symbol.name));
-    return steps.reduce((min, step) => (step < min ? step : min));
+    return { received: time, sent: time };
   }
 }

@@ -96,7 +96,7 @@ export class AdsSession {
     this.#time =
       time === null
         ? new NotificationTime(this.#client, symbols.find(symbol => symbol !== null) ?? PLC_STATE)
-        : new VariableTime(this.#client, time, this.#unit, this.context.clock.fixedResolution);
+        : new VariableTime(this.#client, time, this.#unit);
     // Subscribes to the time first. The PLC counts the cycles of a notification from its addition, and the time must be sampled in every cycle.
     if (time !== null) await this.#watch(time, null, { cycleTime: 0, sendOnChange: false });
     const sampled = { cycleTime: settings.samplingMs, sendOnChange: settings.isOnChange };
@@ -239,7 +239,7 @@ export class AdsSession {
       return this.#time!.read();
     };
     try {
-      await this.context.clock.attach(read, this.context.stopping);
+      await this.context.clock.attach(read, this.context.stopping, this.#time!.atOnce);
     } catch (error) {
       if (this.#isRunning) this.#end(adsMessages.clockNotReadable(this.#reasonOf(error)));
     }

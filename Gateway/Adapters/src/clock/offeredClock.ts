@@ -1,6 +1,7 @@
 import type { GatewayLink } from '../gateway/link';
 import { monotonicTime, type Nanoseconds, NS_PER_MS, toRosTime } from '../times';
 import { ClockBounds } from './clockBounds';
+import { ClockStep } from './clockStep';
 import { finePause } from './finePause';
 import { GatewayClock } from './gatewayClock';
 import { Resolution } from './resolution';
@@ -31,15 +32,6 @@ class ClockStopped extends Error {
 
 export const isClockStopped = (error: unknown): boolean => (error as Error | undefined)?.name === 'ClockStopped';
 
-/**
- * Conditions for the end of a resolution measurement: at least MIN_READINGS readings and CHANGES changes of the time, and a known resolution or
- * MAX_READINGS readings. Between two changes lies a complete standstill.
- */
-const MIN_READINGS = 16;
-const MAX_READINGS = 64;
-const CHANGES = 2;
-const BETWEEN_READINGS_MS = 3;
-
 /** Resolution at and above which a gateway no longer synchronises. With a resolution of 30 ms, the synchronisation takes two to three minutes. */
 const COARSE: Nanoseconds = 50n * NS_PER_MS;
 
@@ -52,6 +44,7 @@ const MEASURE_EVERY: Nanoseconds = 20_000_000_000n;
  */
 export class OfferedClock {
   #read: ReadClock | null = null;
+  #atOnce = 1;
   #resolution = new Resolution();
   readonly #bounds = new ClockBounds();
   #detached = new AbortController();
@@ -105,9 +98,11 @@ export class OfferedClock {
   /**
    * Offers the clock of a plant that has connected. First measures the clock's resolution, because an error of the resolution causes an offset error
    * of half its size. Resolves with false if the plant has disconnected in the meantime.
+   * @param atOnce Maximum number of simultaneous calls of `read`.
    */
-  async attach(read: ReadClock, stop: AbortSignal): Promise<boolean> {
+  async attach(read: ReadClock, stop: AbortSignal, atOnce = 1): Promise<boolean> {
     this.#detached = new AbortController();
+    this.#atOnce = atOnce;
     this.#resolution = new Resolution();
     this.#measured = null;
     const ended = AbortSignal.any([stop, this.#detached.signal]);
@@ -155,7 +150,8 @@ export class OfferedClock {
         });
     const observed = reading.resolution ?? this.fixedResolution ?? this.#resolution.observed;
     this.coarse(observed >= COARSE ? observed : null);
-    return { ...reading, resolution: reading.resolution ?? this.resolution };
+    const errorBound = (reading.errorBound ?? 0n) + this.#resolution.hidden;
+    return { ...reading, resolution: reading.resolution ?? this.resolution, errorBound };
   }
 
   #offer(): void {
@@ -178,21 +174,24 @@ export class OfferedClock {
   }
 
   async #measure(read: ReadClock, stop: AbortSignal): Promise<void> {
-    let changes = -1;
-    let last: Nanoseconds | null = null;
-    for (let i = 0; !this.#isMeasured(i, changes) && !stop.aborted; i++) {
-      const reading = await this.#observed(read);
-      if (this.#resolution.isStopped) return;
-      if (this.fixedResolution !== null || reading.resolution !== undefined) break;
-      if (reading.sent !== last) changes++;
-      last = reading.sent;
-      await finePause(BETWEEN_READINGS_MS, stop, this.counter);
-    }
-    this.#measured = this.counter();
+    const { resolution } = await this.#observed(read);
+    if (this.fixedResolution === null && resolution === undefined) await this.#measureStep(read, stop);
+    if (!this.#resolution.isStopped) this.#measured = this.counter();
   }
 
-  #isMeasured(readings: number, changes: number): boolean {
-    return readings >= MIN_READINGS && changes >= CHANGES && (this.#resolution.isKnown || readings >= MAX_READINGS);
+  async #measureStep(read: ReadClock, stop: AbortSignal): Promise<void> {
+    const step = new ClockStep();
+    const running: Promise<void>[] = [];
+    const readStep = async (): Promise<void> => step.observe((await this.#observed(read)).sent);
+    for (let i = 1; !step.isMeasured(this.#resolution.isKnown) && !this.#resolution.isStopped && !stop.aborted; i++) {
+      running.push(readStep());
+      running.at(-1)!.catch(() => {});
+      if (running.length >= this.#atOnce) await running.shift();
+      // The two readings of a pair are as close together as possible, so that a clock with small steps shows two times with a small difference.
+      if (i % 2 === 0) await finePause(step.pauseMs, stop, this.counter);
+    }
+    await Promise.all(running);
+    if (!this.#resolution.isStopped && !stop.aborted) this.#resolution.measured(step, this.#atOnce > 1);
   }
 
   async #observed(read: ReadClock): Promise<ClockReading> {

@@ -1,4 +1,5 @@
 import { type Nanoseconds, NS_PER_S } from '../times';
+import type { ClockStep } from './clockStep';
 
 const STEPS: Nanoseconds[] = [1_000_000_000n, 100_000_000n, 10_000_000n, 1_000_000n, 100_000n, 10_000n, 1_000n, 100n, 1n];
 const ENOUGH = 8;
@@ -11,8 +12,8 @@ const STOPPED: Nanoseconds = NS_PER_S;
 const PERIOD: Nanoseconds = 30n * NS_PER_S;
 
 /**
- * Determines the resolution of a clock from its times: the largest power of ten, in ns, that divides all times, or the length of the recent
- * standstills if the clock stands still between two updates.
+ * Determines the resolution of a clock from its times: the largest power of ten, in ns, that divides all times, or the measured step or the length
+ * of the recent standstills if the clock stands still between two updates.
  */
 export class Resolution {
   readonly #seen: Nanoseconds[] = [];
@@ -25,6 +26,8 @@ export class Resolution {
   #stood: Nanoseconds = 0n;
   #stoodBefore: Nanoseconds = 0n;
   #since: Nanoseconds | null = null;
+  #measured: Nanoseconds = 0n;
+  #shortest: Nanoseconds = 0n;
 
   /** Whether eight different times are known. For a resolution of 100 ns, all eight are whole milliseconds with a probability of 10⁻³². */
   get isKnown(): boolean {
@@ -43,7 +46,21 @@ export class Resolution {
 
   /** The resolution without the present standstill, which may be a pause, ns; zero while unknown. */
   get observed(): Nanoseconds {
-    return this.isKnown ? [this.#stood, this.#stoodBefore].reduce(max, this.#step) : 0n;
+    return this.isKnown ? [this.#stood, this.#stoodBefore, this.#measured].reduce(max, this.#step) : this.#measured;
+  }
+
+  /** Maximum resolution that the newest measurement did not exclude minus the resolution, ns. */
+  get hidden(): Nanoseconds {
+    return max(this.#shortest - this.observed, 0n);
+  }
+
+  /**
+   * Takes the result of a measurement, which replaces that of the previous one.
+   * @param isDense Whether the readings did not wait for each other, so that the gaps show how large a step can be that they do not show.
+   */
+  measured(step: ClockStep, isDense: boolean): void {
+    this.#measured = step.step;
+    this.#shortest = isDense && step.step === 0n ? step.shortest : 0n;
   }
 
   /**

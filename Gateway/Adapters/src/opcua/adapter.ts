@@ -2,6 +2,7 @@ import './libraryLog';
 import { type UserIdentityInfo, UserTokenType } from 'node-opcua-client';
 import type { AdapterContext } from '../adapter';
 import { Backoff, pause } from '../backoff';
+import { READINGS_AT_ONCE } from '../clock/clockStep';
 import { delayOf, silentAfterMs, STAMP_LAG_MS, unconfirmedAfterMs } from '../samples/silentValues';
 import { type Nanoseconds, ofMilliseconds } from '../times';
 import { clockOf } from './clockReader';
@@ -83,7 +84,8 @@ async function attempt(
     await session.open(identity(settings));
     const { ids: nodes, lost } = await idsOf(session, map);
     const serverSilence = new ServerSilence();
-    await context.clock.attach(await clockOf(session, settings, settings.time === null ? null : nodes.at(-1)!, context.log), stopping);
+    const clock = await clockOf(session, settings, settings.time === null ? null : nodes.at(-1)!, context.log);
+    await context.clock.attach(clock, stopping, READINGS_AT_ONCE);
     reader.restart();
     const silent = new SilentNodes(
       session,

@@ -1,5 +1,6 @@
 import type { AdapterContext } from '../adapter';
 import { pause } from '../backoff';
+import { READINGS_AT_ONCE } from '../clock/clockStep';
 import { GatewayLink } from '../gateway/link';
 import { TopicValues } from '../samples/topicValues';
 import { RosFrames } from './frames';
@@ -77,7 +78,7 @@ export async function run(context: AdapterContext<RosSettings>): Promise<void> {
   async function attach(time: RobotTime, ended: AbortSignal): Promise<void> {
     while (!ended.aborted) {
       try {
-        if (await clock.attach(() => time.read(), ended)) {
+        if (await clock.attach(() => time.read(), ended, READINGS_AT_ONCE)) {
           if (isWithout) topics.clockStepped();
           isWithout = false;
           setPoints.check();

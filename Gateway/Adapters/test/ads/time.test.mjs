@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { parts } from '../parts.mjs';
 
-const { Cycles, NotificationTime, ofFileTime, VariableTime } = await parts('ads/cycles', 'ads/plcTime', 'times');
+const { Cycles, NotificationTime, ofFileTime } = await parts('ads/cycles', 'ads/plcTime', 'times');
 
 describe('cycles of a PLC', () => {
   const met = (cycles, perDelay) => {
@@ -54,23 +54,5 @@ describe('time by notifications', () => {
     time.saw(1, STAMP - 1n);
 
     assert.equal((await next).sent, ofFileTime(STAMP));
-  });
-});
-
-describe('time in a variable', () => {
-  it('Resolution_ReadOncePerMillisecond_IsTheCycleOfTheTask', async () => {
-    const CYCLE = 5_000_000n;
-    let now = 1_700_000_000_000_000_000n;
-    const client = {
-      readRaw: async () => {
-        now += 1_000_000n;
-        const data = Buffer.alloc(8);
-        data.writeBigInt64LE(now - now % CYCLE);
-        return data;
-      },
-    };
-    const time = new VariableTime(client, { name: 'GVL.nTime', adsDataType: 20, size: 8, arrayDimension: 0 }, 'ns', null);
-
-    assert.equal((await time.read()).resolution, CYCLE);
   });
 });

@@ -1,0 +1,60 @@
+import type { Nanoseconds } from '../times';
+
+/**
+ * Maximum number of readings at the same time during a resolution measurement. Without waiting for the response to the previous request, the clock
+ * is read often enough to show a step that is shorter than the duration of a reading.
+ */
+export const READINGS_AT_ONCE = 16;
+
+/**
+ * Conditions for the end of a measurement: at least MIN_READINGS readings and CHANGES changes of the time, and a known resolution or MAX_READINGS
+ * readings. Between two changes lies a complete standstill.
+ */
+const MIN_READINGS = 16;
+const MAX_READINGS = 64;
+const CHANGES = 2;
+
+/** Pause before two readings. The longer pause is for steps of more than 16 ms, which the first MAX_READINGS readings do not show. */
+const PAUSE_MS = 1;
+const LONG_PAUSE_MS = 10;
+
+/** Measures the step of a clock that stands still between two updates, from readings in quick succession, in the order of their arrival. */
+export class ClockStep {
+  #last: Nanoseconds | null = null;
+  #readings = 0;
+  /** Differences between consecutive readings with different times. */
+  readonly #gaps: Nanoseconds[] = [];
+
+  observe(time: Nanoseconds): void {
+    this.#readings++;
+    if (this.#last !== null && time !== this.#last) this.#gaps.push(time > this.#last ? time - this.#last : this.#last - time);
+    this.#last = time;
+  }
+
+  /** Pause before the next two readings, ms. */
+  get pauseMs(): number {
+    return this.#readings < MAX_READINGS ? PAUSE_MS : LONG_PAUSE_MS;
+  }
+
+  /** @param isKnown Whether the resolution is known apart from standstills. */
+  isMeasured(isKnown: boolean): boolean {
+    return this.#readings >= MIN_READINGS && this.#gaps.length >= CHANGES && (isKnown || this.#readings >= MAX_READINGS);
+  }
+
+  /**
+   * The step; zero if the readings were too slow to show a standstill: each time must have been read by more than one pair on average. The step is the
+   * longest of the gaps that are single steps, which are shorter than 1.5 of the shortest gap: a clock with steps of 15.625 ms that shows whole
+   * milliseconds has steps of 15 and 16 ms.
+   */
+  get step(): Nanoseconds {
+    const { shortest } = this;
+    const all = this.#gaps.reduce((sum, gap) => sum + gap, 0n);
+    if (BigInt(this.#readings) * shortest <= 2n * all) return 0n;
+    return this.#gaps.filter(gap => 2n * gap < 3n * shortest).reduce((max, gap) => (gap > max ? gap : max), 0n);
+  }
+
+  /** The shortest gap, which is at least the step, even if the readings were too slow to show a standstill; zero before the first change. */
+  get shortest(): Nanoseconds {
+    return this.#gaps.reduce((min, gap) => (gap < min ? gap : min), this.#gaps[0] ?? 0n);
+  }
+}
