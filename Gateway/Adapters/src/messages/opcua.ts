@@ -36,6 +36,9 @@ export const certificateMessages = {
     `the server's certificate ${thumbprint} is valid only from ${from} to ${to}; renew it on the server, then trust the new certificate`,
 };
 
+const ONE_CLOCK =
+  'they are from another clock than the one that headsets use: synchronise both, set plant.timestamp: server, or read the time of the source (plant.time)';
+
 /** Messages about the connection to an OPC UA server. */
 export const opcuaMessages = {
   notSecure: 'WARNING: plant.security.mode is none: the server is not authenticated, and anyone on the network can read and change its values',
@@ -51,6 +54,10 @@ export const opcuaMessages = {
     `the server samples every ${samplingMs} ms and sends every ${publishingMs} ms, less often than requested, so headsets show moving joints and `
     + 'objects mostly as held; lower the minimum sampling and publishing intervals of the server (in TIA Portal: OPC UA > Server), or set '
     + 'plant.sampling_ms and plant.publishing_ms to these values',
+  stampsAhead: (apartMs: number) =>
+    `the source timestamps of all changes are at least ${apartMs.toFixed(1)} ms later than the server's; ${ONE_CLOCK}`,
+  stampsBehind: (apartMs: number) =>
+    `the source timestamps of all changes are at least ${apartMs.toFixed(1)} ms older than the server's; if this is not the age of the values, ${ONE_CLOCK}`,
   silent: (seconds: number) => `nothing was published for ${seconds} s`,
   notReadable: (reason: string) => `the nodes cannot be read: ${reason}`,
   noResponse: 'the server does not respond',

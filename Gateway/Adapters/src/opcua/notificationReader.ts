@@ -8,6 +8,7 @@ import { NodeMap } from './nodeMap';
 import { isGone, isOverflown, NODE_GONE, statusRefusal, valueOf } from './nodeValues';
 import type { NodeValue } from './readOnlySession';
 import type { OpcUaSettings } from './kind';
+import { StampComparison } from './stampComparison';
 import { serverStamp, sourceStamp, timeIn } from './stamps';
 import { type CycleTime, TimeVariable } from './timeVariable';
 import { nodeMessages } from '../messages/opcua';
@@ -26,6 +27,7 @@ export class NotificationReader {
   /** The newest time in the notifications so far. */
   #known: Nanoseconds | null = null;
   #silence: Nanoseconds = 0n;
+  readonly #comparison = new StampComparison(text => this.context.status.notice(text, 'time stamps'));
 
   constructor(
     readonly context: Pick<AdapterContext, 'configuration' | 'output' | 'status' | 'clock'>,
@@ -131,6 +133,8 @@ export class NotificationReader {
     if (bad === null) this.#received.add(node);
     else this.#received.delete(node);
     const stamp = bad === null ? this.#stampOf(value) : null;
+    // The first value may have changed long ago.
+    if (bad === null && !isFirst && this.settings.timestamp === 'source') this.#comparison.add(stamp, serverStamp(value));
     const refusal = bad ?? (stamp === null && !isFirst && this.#time !== null && this.#hasStamp(value) ? this.#unmatched : null);
     return this.map.valuesOf(node).map((index): PlantValue => {
       const found = refusal ?? valueOf(this.map.addressOf(index), value);
