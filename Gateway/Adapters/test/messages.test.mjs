@@ -28,9 +28,20 @@ describe('the message catalogue of the adapters', () => {
     const { configurationMessages, refusalMessages, silenceMessages, rtdeMessages } = messages;
 
     assert.match(configurationMessages.notAllowed('opcu', 'opcua', ['opcua', 'ads']), /"opcu".*opcua\?.*opcua, ads$/);
-    assert.match(refusalMessages.ahead(1500, 1000), /1500\.0 ms.*1000\.0 ms/);
+    assert.match(refusalMessages.ahead(1500, 1000), /1\.5 s ahead.*1\.0 s$/);
+    assert.match(refusalMessages.behind(750_000, 10_000), /12\.5 minutes behind.*10\.0 s$/);
     assert.match(silenceMessages.stopTooHard(9.61, 4.06, 'rad/s²', 'configured'), /9\.6 rad\/s².*4\.1 rad\/s².*max_deceleration/);
     assert.match(rtdeMessages.restarted(812.34, 0.12), /812\.3 s.*0\.1 s/);
+  });
+
+  it('names the probable time scale of a source', () => {
+    const { ahead, behind } = messages.refusalMessages, hour = 3_600_000;
+
+    assert.match(ahead(2 * hour + 70, 1000), /2\.0 hours ahead.*local time/);
+    assert.match(behind(5.5 * hour - 1500, 10_000), /5\.5 hours behind.*local time/);
+    assert.match(ahead(36_930, 1000), /36\.9 s ahead.*TAI/);
+    assert.match(ahead(18_000, 1000), /18\.0 s ahead.*GPS time/);
+    for (const text of [behind(37_000, 10_000), ahead(905_000, 1000), ahead(24 * hour, 1000), ahead(1500, 1000)]) assert.doesNotMatch(text, /probably/);
   });
 
   it('omits the parts whose values are unknown', () => {

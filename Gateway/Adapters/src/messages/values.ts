@@ -1,5 +1,38 @@
 import { shown } from '../configuration/problem';
 
+const S = 1000;
+const MINUTE = 60 * S;
+const HOUR = 60 * MINUTE;
+
+/** The gateway states lengths with the same units. */
+function lengthOf(ms: number): string {
+  if (ms < S) return `${ms.toFixed(1)} ms`;
+  if (ms < 10 * MINUTE) return `${(ms / S).toFixed(1)} s`;
+  return ms < 2 * HOUR ? `${(ms / MINUTE).toFixed(1)} minutes` : `${(ms / HOUR).toFixed(1)} hours`;
+}
+
+const TOLERANCE = 2 * S;
+const QUARTER = 15 * MINUTE;
+const MAX_ZONE = 14 * HOUR;
+
+/** TAI and GPS time minus UTC, since 2017. UTC has had no leap second since then. */
+const TAI = 37 * S;
+const GPS = 18 * S;
+
+/**
+ * The probable cause of a difference that is typical of another time scale; an empty string for other differences.
+ * @param aheadMs Time stamp minus control time, ms.
+ */
+function otherScale(aheadMs: number): string {
+  const isNear = (ms: number, typical: number): boolean => Math.abs(ms - typical) <= TOLERANCE;
+  if (isNear(aheadMs, TAI)) return '; the source probably sends TAI instead of UTC';
+  if (isNear(aheadMs, GPS)) return '; the source probably sends GPS time instead of UTC';
+  // The offsets of time zones are multiples of 15 minutes.
+  const ms = Math.abs(aheadMs);
+  const quarters = Math.round(ms / QUARTER) * QUARTER;
+  return quarters > 0 && quarters <= MAX_ZONE && isNear(ms, quarters) ? '; the source probably sends local time instead of UTC' : '';
+}
+
 /** Reasons why a value is refused. */
 export const refusalMessages = {
   noStamp:
@@ -11,9 +44,9 @@ export const refusalMessages = {
   notNewer: (apartMs: number) =>
     `the time stamp is ${apartMs.toFixed(1)} ms older than that of the previous value; check that the value has only one source`,
   ahead: (apartMs: number, maxMs: number) =>
-    `the time stamp is ${apartMs.toFixed(1)} ms ahead of the control clock; the maximum is ${maxMs.toFixed(1)} ms`,
+    `the time stamp is ${lengthOf(apartMs)} ahead of the control clock; the maximum is ${lengthOf(maxMs)}${otherScale(apartMs)}`,
   behind: (apartMs: number, maxMs: number) =>
-    `the time stamp is ${apartMs.toFixed(1)} ms behind the control clock; the maximum is ${maxMs.toFixed(1)} ms`,
+    `the time stamp is ${lengthOf(apartMs)} behind the control clock; the maximum is ${lengthOf(maxMs)}${otherScale(-apartMs)}`,
   /** @param day Date of the time stamp; null if it is beyond the range of dates. */
   farApart: (day: string | null) =>
     `the time stamp is ${day ?? 'beyond the year 275760'}, more than a day away from the control clock; check the unit of the time and the clock that stamps the value`,
