@@ -20,8 +20,9 @@ export interface PlcTime {
 }
 
 /**
- * The clock that stamps notifications. No ADS request returns the time of this clock. However, after a subscription, the PLC samples, stamps
- * and sends the first notification at once, so this stamp lies between the request and the arrival of the notification.
+ * The clock that stamps notifications. After a subscription, the PLC samples, stamps and sends the first notification at once, so this stamp lies
+ * between the request and the arrival of the notification. TwinCAT 3.1 also returns the time to a read request of index group 0xF088, which has not
+ * been tested with a PLC.
  */
 export class NotificationTime implements PlcTime {
   readonly atOnce = 1;
