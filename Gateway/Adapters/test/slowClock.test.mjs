@@ -59,6 +59,16 @@ describe('clock that is read slowly', () => {
   });
 
   for (const seed of [1, 2, 3])
+    it(`Resolution_ServerSlowerThanEqualSteps_IsTheStep (seed ${seed})`, async t => {
+      const { attach, reading } = clockOf(t, { stepNs: 12n * MS, eachWayMs: 5, seed, servingMs: 8 });
+      await attach();
+
+      const { resolution, errorBound } = await reading();
+
+      assert.deepEqual([resolution, errorBound], [12n * MS, 0n]);
+    });
+
+  for (const seed of [1, 2, 3])
     it(`Resolution_ServerSlowerThanTheStep_IsTheLargestDivisor (seed ${seed})`, async t => {
       const { attach, reading } = clockOf(t, { stepNs: MS, shownNs: MS, eachWayMs: 5, seed, servingMs: 1.3 });
       await attach();

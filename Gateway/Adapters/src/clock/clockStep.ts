@@ -14,6 +14,9 @@ const MIN_READINGS = 16;
 const MAX_READINGS = 64;
 const CHANGES = 2;
 
+/** Minimum number of gaps that are all multiples of the shortest one for this one to be the step. Those of a clock with small steps are not. */
+const MIN_EQUAL = 8;
+
 /** Pause before two readings. The longer pause is for steps of more than 16 ms, which the first MAX_READINGS readings do not show. */
 const PAUSE_MS = 1;
 const LONG_PAUSE_MS = 10;
@@ -41,16 +44,18 @@ export class ClockStep {
     return this.#readings >= MIN_READINGS && this.#gaps.length >= CHANGES && (isKnown || this.#readings >= MAX_READINGS);
   }
 
-  /**
-   * The step; zero if the readings were too slow to show a standstill: each time must have been read by more than one pair on average. The step is the
-   * longest of the gaps that are single steps, which are shorter than 1.5 of the shortest gap: a clock with steps of 15.625 ms that shows whole
-   * milliseconds has steps of 15 and 16 ms.
-   */
+  /** The step; zero if it is not known. */
   get step(): Nanoseconds {
+    if (this.#gaps.length === 0) return 0n;
     const { shortest } = this;
     const all = this.#gaps.reduce((sum, gap) => sum + gap, 0n);
-    if (BigInt(this.#readings) * shortest <= 2n * all) return 0n;
-    return this.#gaps.filter(gap => 2n * gap < 3n * shortest).reduce((max, gap) => (gap > max ? gap : max), 0n);
+    // If more than one pair on average has read each time, the shortest gap is a single step. The other single steps are shorter than 1.5 of it: a
+    // clock with steps of 15.625 ms that shows whole milliseconds has steps of 15 and 16 ms.
+    if (BigInt(this.#readings) * shortest > 2n * all)
+      return this.#gaps.filter(gap => 2n * gap < 3n * shortest).reduce((max, gap) => (gap > max ? gap : max), 0n);
+    // Slower readings also show a step if all steps are equal. Equal gaps may be the time between two readings.
+    const areMultiples = this.#gaps.every(gap => gap % shortest === 0n) && this.#gaps.some(gap => gap > shortest);
+    return areMultiples && this.#gaps.length >= MIN_EQUAL ? shortest : 0n;
   }
 
   /** The shortest gap, which is at least the step, even if the readings were too slow to show a standstill; zero before the first change. */
