@@ -85,6 +85,9 @@ public sealed class ServedClock : IControlClock
         return true;
     }
 
+    /// <summary>Gets the error bound on C1 of the times of a plant's clock that <see cref="TryMap"/> has converted.</summary>
+    public TimeSpan ErrorBoundOf(PlantClock clock) => clock == _plant.Control ? ErrorBound : ErrorBound + clock.Model.ErrorBound;
+
     /// <summary>Gets the status of all clocks of the plant.</summary>
     public IReadOnlyList<PlantClockStatus> Status()
     {

@@ -9,7 +9,8 @@ namespace Nowpose.Gateway.Clock;
 /// Example: a source stamps its samples with system time, and the system clock is corrected, but the control clock does not follow. From
 /// then on, the stamps are either in the future, so that the gateway refuses the samples, or too old. The same happens if the control
 /// clock is the system clock and a source does not follow the correction. On Windows, the counter of the control clock also has another rate
-/// than the system clock, which has the same effect after some time. Stamps on a plant clock are not checked.
+/// than the system clock, which has the same effect after some time. The stamps of a source that offers a clock are compared only with that
+/// clock: if they are in the future, another clock has stamped them.
 /// </remarks>
 /// <param name="control">The control clock.</param>
 /// <param name="own">The gateway's own clock; null while another one is the control clock.</param>
@@ -35,6 +36,9 @@ sealed class StampWatch(
 
     /// <summary>Maximum time by which a plausible stamp may be in the future. Two clocks synchronised by NTP differ by less.</summary>
     static readonly TimeSpan MaxAhead = TimeSpan.FromMilliseconds(50);
+
+    /// <summary>The same for a source that offers its clock. The rounding of a stamp may be its only error.</summary>
+    static readonly TimeSpan MaxAheadOfOffered = TimeSpan.FromMilliseconds(5);
 
     /// <summary>Maximum age of the samples of a live source.</summary>
     static readonly TimeSpan MaxAge = TimeSpan.FromSeconds(1);
@@ -77,12 +81,14 @@ sealed class StampWatch(
 
     /// <summary>Records the stamp of a sample.</summary>
     /// <param name="isRefused">Whether the sample was refused because its stamp is in the future.</param>
-    public void Add(HubSource source, ControlTime stamp, bool isRefused)
+    /// <param name="offeredBound">Error bound on C1 of the clock that the source offers; null if the source offers no clock.</param>
+    public void Add(HubSource source, ControlTime stamp, bool isRefused, TimeSpan? offeredBound = null)
     {
         var age = control() - stamp;
-        var otherAge = other() - stamp;
+        // A source that offers its clock stamps with no other clock.
+        var otherAge = offeredBound == null ? other() - stamp : age;
         var fitsOther = !IsPlausible(age) && IsPlausible(otherAge);
-        var isAhead = age < -(MaxAhead + errorBound());
+        var isAhead = age < -(offeredBound + MaxAheadOfOffered ?? MaxAhead + errorBound());
         lock (_lock)
         {
             if (!_sources.TryGetValue(source, out var stamps))
@@ -180,7 +186,7 @@ sealed class StampWatch(
         var fits = counts.FitsOther && own() != null;
         var reason = StampMessages.Implausible(source, counts.Percent, Length(counts.Age.Duration()), counts.Age < TimeSpan.Zero)
             + (!fits ? "" : isSystemServed ? ": " + Cause : StampMessages.FitsSystemClock) + same;
-        return new StampWarning(reason, fits ? CorrectionRemedy : StampMessages.SourceRemedy, true);
+        return new StampWarning(reason, fits ? CorrectionRemedy : StampMessages.SourceRemedyFor(counts.Age), true);
     }
 
     string Cause =>

@@ -64,10 +64,12 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
     /// <param name="isRefused">Whether the message was refused because the stamp is in the future.</param>
     public void AddStamp(RosbridgeMessage message, ControlTime stamp, bool isRefused)
     {
-        if (stamp == default || offers.StampClock != null || !IsSample(message)) return;
+        if (stamp == default || !IsSample(message)) return;
         // A published message needs no check of the owner, because the hub has already checked it.
-        if (isRefused ? MayPublish(message) : _isPublished) clock.Stamps.Add(source, stamp, isRefused);
+        if (isRefused ? MayPublish(message) : _isPublished) clock.Stamps.Add(source, stamp, isRefused, OfferedBound);
     }
+
+    TimeSpan? OfferedBound => offers.StampClock is { } offered ? clock.ErrorBoundOf(offered) : null;
 
     // Excludes /tf_static, because the stamp of a stationary frame is not the time of a sample.
     static bool IsSample(RosbridgeMessage message) => message.JointState != null || message.Signals != null || message.Topic == RosTopics.Tf;

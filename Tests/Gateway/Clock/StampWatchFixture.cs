@@ -18,6 +18,7 @@ public abstract class StampWatchFixture
     private protected TimeSpan _correction;
     private protected TimeSpan _errorBound;
     private protected TimeSpan _plantAhead;
+    private protected TimeSpan? _offeredBound;
     private protected bool _isOwnServed;
 
     private protected ControlTime System => _own.Now + _correction;
@@ -30,7 +31,7 @@ public abstract class StampWatchFixture
         var hub = new MessageHub();
         _sources = [.. new[] { "first", "second", "third" }.Select(name => Open(hub, name))];
         _log.Clear();
-        _plantAhead = TimeSpan.Zero;
+        (_plantAhead, _offeredBound) = (TimeSpan.Zero, null);
         _watch = new StampWatch(
             () => _own.Now + _plantAhead, () => _isOwnServed ? "own" : "plc", () => _errorBound, () => _isOwnServed ? _own : null, () => System, false, _time);
         _watch.Look(_log.Add);
@@ -54,7 +55,7 @@ public abstract class StampWatchFixture
             foreach (var (source, name) in sources.Zip(_sources))
             {
                 var stamp = source() - Acquisition;
-                watch.Add(name, stamp, stamp > control.Now + Second);
+                watch.Add(name, stamp, stamp > control.Now + Second, _offeredBound);
             }
 
             if (i % 10 == 9) watch.Look(_log.Add);

@@ -34,6 +34,48 @@ public class WrongSourceTests : StampWatchFixture
         Assert.That(_watch.Ahead, Is.Empty, "the clock of the source was set");
     }
 
+    [TestCase(0.078, 0.002, "8 ms")]
+    [TestCase(0.15, 0.002, "80 ms")]
+    [TestCase(0.7, 0.1, "630 ms")]
+    public void Look_TimeStampsAheadOfTheClockThatTheSourceOffers_ReportsTheSource(double seconds, double bound, string by)
+    {
+        (_isOwnServed, _offeredBound) = (false, TimeSpan.FromSeconds(bound));
+        Run(StampWatch.Seconds + 2, () => _own.Now + TimeSpan.FromSeconds(seconds));
+
+        Assert.That(_watch.Ahead, Is.EqualTo(new[] { ("first", by) }));
+        Assert.That(_watch.IsContradicted, Is.False);
+    }
+
+    [TestCase(0.072, 0.0)]
+    [TestCase(0.09, 0.02)]
+    [TestCase(-0.3, 0.0)]
+    public void Look_TimeStampsWithinTheErrorOfTheClockThatTheSourceOffers_ReportsNoSource(double seconds, double bound)
+    {
+        (_isOwnServed, _offeredBound) = (false, TimeSpan.FromSeconds(bound));
+        Run(StampWatch.Seconds + 2, () => _own.Now + TimeSpan.FromSeconds(seconds));
+        _correction = TimeSpan.FromSeconds(0.3);
+        Run(StampWatch.Seconds + 2, () => _own.Now + TimeSpan.FromSeconds(seconds));
+
+        Assert.That((_watch.Ahead.Count, _watch.Warning), Is.EqualTo((0, (string)null)));
+    }
+
+    [TestCase(7200, "local time")]
+    [TestCase(-18_000.5, "local time")]
+    [TestCase(20_701, "local time")]
+    [TestCase(37.2, "TAI")]
+    [TestCase(18, "GPS time")]
+    [TestCase(-37, null)]
+    [TestCase(905, null)]
+    [TestCase(86_400, null)]
+    public void Look_TimeStampsOfAnotherTimeScale_NamesTheProbableCause(double seconds, string cause)
+    {
+        (_isOwnServed, _correction) = (false, TimeSpan.FromSeconds(seconds));
+        Run(5, () => System);
+
+        Assert.That(_watch.Found.Remedy, Does.StartWith(StampMessages.SourceRemedy));
+        Assert.That(_watch.Found.Remedy, cause == null ? Is.EqualTo(StampMessages.SourceRemedy) : Does.Contain($" {cause} "));
+    }
+
     [TestCase(0.1, 0.0)]
     [TestCase(0.3, 0.2)]
     public void Look_TimeStampsAheadWithinTheErrorsOfTheClocks_ReportsNoSource(double seconds, double errorBound)
