@@ -16,8 +16,9 @@ sealed class PlantClockCaller : IDisposable
     readonly Action<string> _call;
     readonly TimeProvider _time;
     readonly CancellationTokenSource _stop = new();
+    // Never slow, because the error after a step of the clock or a pause of this machine is passed on to all headsets until it is found.
     readonly ExchangePace _pace = new(
-        TimeSpan.FromMilliseconds(ProtocolLimits.SyncIntervalMs), ClockSettings.Default.HoldoverAfter, new Random());
+        TimeSpan.FromMilliseconds(ProtocolLimits.SyncIntervalMs), ClockSettings.Default.HoldoverAfter, new Random(), maySlow: false);
     volatile Question _open;
     long _asked;
 

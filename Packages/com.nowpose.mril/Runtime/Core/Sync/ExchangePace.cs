@@ -4,7 +4,7 @@ namespace Nowpose.Sync
 {
     /// <summary>
     /// Schedules the sync exchanges. The pace is quick initially, after a step or a long silence, and while a step is suspected. It is slow while
-    /// the offset is so accurate that more exchanges would not improve it. Otherwise the configured pace applies. Single-threaded.
+    /// the offset is so accurate that more exchanges would not improve it, if this is allowed. Otherwise the configured pace applies. Single-threaded.
     /// </summary>
     sealed class ExchangePace
     {
@@ -48,13 +48,14 @@ namespace Nowpose.Sync
         /// Source of random numbers, which spread the exchanges over the steps of a coarse control clock. It must not be shared with other objects.
         /// </param>
         /// <param name="isConstant">Whether the configured pace always applies, as in the paper.</param>
-        public ExchangePace(TimeSpan usual, TimeSpan silence, Random random, bool isConstant = false)
+        /// <param name="maySlow">Whether the pace may be slow. A step of either clock is then found only seconds later.</param>
+        public ExchangePace(TimeSpan usual, TimeSpan silence, Random random, bool isConstant = false, bool maySlow = true)
         {
             _random = random;
             _isConstant = isConstant;
             _usual = usual;
             _quick = Min(usual, Max(MinInterval, new TimeSpan(usual.Ticks / QuickFactor)));
-            _slow = Max(usual, Min(Min(MaxInterval, new TimeSpan(silence.Ticks / 2)), new TimeSpan(usual.Ticks * SlowFactor)));
+            _slow = !maySlow ? usual : Max(usual, Min(Min(MaxInterval, new TimeSpan(silence.Ticks / 2)), new TimeSpan(usual.Ticks * SlowFactor)));
             _silence = silence > _slow + usual ? silence : _slow + usual;
         }
 

@@ -60,6 +60,22 @@ namespace Nowpose.Tests.Core.Sync
             Assert.That(run.Pauses(122, 125), Is.All.EqualTo(50));
         }
 
+        [TestCase(400)]
+        [TestCase(401)]
+        [TestCase(402)]
+        public void Next_SlowPaceNotAllowed_FindsAStepInHalfASecond(int seed)
+        {
+            var link = Link("lan", seed);
+            var run = new PacedRun(maySlow: false);
+            run.Run(link, 120);
+
+            link.Step = TimeSpan.FromMilliseconds(100);
+            run.Run(link, 121);
+
+            Assert.That(run.Pauses(10, 120).Max(), Is.EqualTo(200));
+            Assert.That(run.Errors.FindAll(e => e.At > 120.5).ConvertAll(e => Math.Abs(e.ErrorMs)), Is.Not.Empty.And.All.LessThan(1), $"seed {seed}");
+        }
+
         [Test]
         public void Next_AfterAPauseWithoutExchanges_IsFastForAWhile()
         {

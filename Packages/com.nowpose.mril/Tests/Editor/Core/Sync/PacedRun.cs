@@ -20,9 +20,9 @@ namespace Nowpose.Tests.Core.Sync
         double _now;
 
         /// <param name="latestMs">Maximum delay of the thread's wake-up in ms. The delay is uniformly distributed.</param>
-        public PacedRun(double configuredMs = 200, int seed = 1, double latestMs = 0)
+        public PacedRun(double configuredMs = 200, int seed = 1, double latestMs = 0, bool maySlow = true)
         {
-            _pace = new ExchangePace(Lengths.Ms(configuredMs), TimeSpan.FromSeconds(2), new Random(seed));
+            _pace = new ExchangePace(Lengths.Ms(configuredMs), TimeSpan.FromSeconds(2), new Random(seed), maySlow: maySlow);
             _lateness = new Random(seed + 1);
             _latestMs = latestMs;
         }
