@@ -10,13 +10,15 @@ const MS = 1_000_000n, T = 1_700_000_000_000n * MS + 4_321_700n;
 const NO_LIMIT = new AbortController().signal;
 
 /** Creates a clock that is offered to a gateway, and read over a path of this length in each direction, with random delays of up to 1 ms more. */
-function clockOf(t, { stepNs, eachWayMs, seed, shownNs = 100n, servingMs = 0.02 }) {
+function clockOf(t, { stepNs, eachWayMs, seed, shownNs = 100n, servingMs = 0.02, wakesMs = 0 }) {
   const virtual = new VirtualTime(t), random = seeded(seed);
   // The server processes the requests one after the other, by default in 20 to 60 µs for each, and the responses arrive in the same order.
-  let free = 0n, arrived = 0n;
+  let free = 0n, arrived = 0n, wake = 0n;
   const later = (time, ms) => time + BigInt(Math.round(ms * 1e6));
   const read = async () => {
     const received = later(virtual.now, eachWayMs + random());
+    while (wakesMs > 0 && wake < received) wake = later(wake, wakesMs * (1 + random()));
+    if (wake > free) free = wake;
     free = later(received > free ? received : free, servingMs * (1 + 2 * random()));
     const shown = T + free / stepNs * stepNs, time = shown - shown % shownNs, back = later(free, eachWayMs + random());
     arrived = back > arrived ? back : arrived;
@@ -77,5 +79,13 @@ describe('clock that is read slowly', () => {
 
       assert.equal(resolution, MS);
       assert.ok(errorBound <= MS, `${errorBound} ns`);
+    });
+
+  for (const seed of [1, 2, 3])
+    it(`Resolution_ServerAnswersSeveralRequestsAtOnce_IsTheLargestDivisor (seed ${seed})`, async t => {
+      const { attach, reading } = clockOf(t, { stepNs: MS, shownNs: MS, eachWayMs: 2, seed, wakesMs: 2.5 });
+      await attach();
+
+      assert.equal((await reading()).resolution, MS);
     });
 });

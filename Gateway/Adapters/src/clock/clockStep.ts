@@ -15,7 +15,7 @@ const MAX_READINGS = 64;
 const CHANGES = 2;
 
 /** Minimum number of gaps that are all multiples of the shortest one for this one to be the step. Those of a clock with small steps are not. */
-const MIN_EQUAL = 8;
+const MIN_EQUAL = 12;
 
 /** Pause before two readings. The longer pause is for steps of more than 16 ms, which the first MAX_READINGS readings do not show. */
 const PAUSE_MS = 1;
@@ -46,7 +46,8 @@ export class ClockStep {
 
   /** The step; zero if it is not known. */
   get step(): Nanoseconds {
-    if (this.#gaps.length === 0) return 0n;
+    // A server that answers several requests at once shows equal times, too, but with gaps of any length.
+    if (this.#gaps.length === 0 || !this.#areMultiples(6n)) return 0n;
     const { shortest } = this;
     const all = this.#gaps.reduce((sum, gap) => sum + gap, 0n);
     // If more than one pair on average has read each time, the shortest gap is a single step. The other single steps are shorter than 1.5 of it: a
@@ -54,8 +55,17 @@ export class ClockStep {
     if (BigInt(this.#readings) * shortest > 2n * all)
       return this.#gaps.filter(gap => 2n * gap < 3n * shortest).reduce((max, gap) => (gap > max ? gap : max), 0n);
     // Slower readings also show a step if all steps are equal. Equal gaps may be the time between two readings.
-    const areMultiples = this.#gaps.every(gap => gap % shortest === 0n) && this.#gaps.some(gap => gap > shortest);
-    return areMultiples && this.#gaps.length >= MIN_EQUAL ? shortest : 0n;
+    const areEqual = this.#gaps.length >= MIN_EQUAL && this.#areMultiples(shortest) && this.#gaps.some(gap => gap > shortest);
+    return areEqual ? shortest : 0n;
+  }
+
+  /** Whether each gap differs from a multiple of the shortest one by at most this part of it. */
+  #areMultiples(part: Nanoseconds): boolean {
+    const { shortest } = this;
+    return this.#gaps.every(gap => {
+      const rest = gap % shortest;
+      return (rest < shortest - rest ? rest : shortest - rest) * part < shortest;
+    });
   }
 
   /** The shortest gap, which is at least the step, even if the readings were too slow to show a standstill; zero before the first change. */
