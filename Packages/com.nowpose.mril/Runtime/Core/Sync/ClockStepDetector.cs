@@ -34,6 +34,7 @@ namespace Nowpose.Sync
         readonly List<SyncExchange> _suspects = new List<SyncExchange>(InARowAfterCorrection);
         TimeSpan _resolution;
         bool _hasContradicted;
+        int _unexplained;
 
         /// <param name="skewUncertainty">See <see cref="OffsetEnvelope"/>.</param>
         public ClockStepDetector(TimeSpan margin, double skewUncertainty)
@@ -57,6 +58,12 @@ namespace Nowpose.Sync
         public bool IsServerCorrection { get; private set; } = true;
 
         /// <summary>
+        /// Number of suspected exchanges in a row that the server's error bounds do not explain, whether or not they agree with each other: during a fast
+        /// slew, they do not.
+        /// </summary>
+        public int Unexplained => IsServerCorrection ? 0 : _unexplained;
+
+        /// <summary>
         /// Returns the maximum distance of the true offset from the line at its reference time if the suspected exchanges are right; zero without
         /// suspected exchanges.
         /// </summary>
@@ -72,7 +79,8 @@ namespace Nowpose.Sync
             {
                 var isExplained = !hasOtherResolution && envelope.Explains(exchange, line, _margin);
                 // An exchange of another kind begins a new group, so that a single exchange never completes a step.
-                if (isExplained != IsServerCorrection || !AgreesWithSuspects(exchange)) ForgetSuspects();
+                if (isExplained != IsServerCorrection || !AgreesWithSuspects(exchange)) BeginGroup();
+                _unexplained = isExplained ? 0 : _unexplained + 1;
                 _hasContradicted |= isContradiction;
                 IsServerCorrection = isExplained;
                 return Suspect(exchange);
@@ -99,6 +107,12 @@ namespace Nowpose.Sync
         /// indicate a change.
         /// </summary>
         public void ForgetSuspects()
+        {
+            BeginGroup();
+            _unexplained = 0;
+        }
+
+        void BeginGroup()
         {
             _suspects.Clear();
             _suspected.Reset();

@@ -30,6 +30,14 @@ namespace Nowpose.Sync
         const int SuspectsToConverge = 2;
 
         /// <summary>
+        /// StepsOfSlew: number of steps, each within SlewPause of the previous one, that show a slew faster than the skew of any clock. A line through a
+        /// second of such a slew is wrong by more than its bound a second later. The state is then converging until SlewPause without a step.
+        /// </summary>
+        const int StepsOfSlew = 3;
+
+        static readonly TimeSpan SlewPause = TimeSpan.FromSeconds(10);
+
+        /// <summary>
         /// Standard deviations of the change of the skew, dimensionless. SkewUncertaintyOfSameClocks: the resolution of a clock changed, or the server
         /// corrected it. SkewUncertaintyAfterStep: another machine may provide the control clock, or a small step may be the start of a slew.
         /// SkewUncertaintyAfterSilence: after a long time without exchanges, the headset may have slept and cooled down.
@@ -43,6 +51,8 @@ namespace Nowpose.Sync
         readonly OffsetEnvelope _envelope;
         readonly ErrorThreshold _coarse, _synchronised;
         SyncExchange? _newest;
+        HeadsetTime _lastStep;
+        int _stepsInRow;
         volatile Estimate _estimate = Estimate.None;
 
         public ClockSynchroniser(IClockEstimator estimator, ClockSettings settings)
@@ -157,6 +167,12 @@ namespace Nowpose.Sync
             _envelope.Reset();
             foreach (var suspect in _detector.Suspects) Use(suspect);
             _detector.Reset();
+            if (stepped)
+            {
+                _stepsInRow = exchange.T4 - _lastStep <= SlewPause ? _stepsInRow + 1 : 1;
+                _lastStep = exchange.T4;
+            }
+
             Publish(exchange, stepped);
         }
 
@@ -171,7 +187,7 @@ namespace Nowpose.Sync
         bool IsSerious(in SyncExchange exchange) => _estimator.Line.Exchanges == 0 || !exchange.ServerSynchronised || IsStepProbable;
 
         // The estimated error includes the server's error bound, so it remains valid while the server corrects its clock within this bound.
-        bool IsStepProbable => _detector.Suspects.Count >= SuspectsToConverge && !_detector.IsServerCorrection;
+        bool IsStepProbable => _detector.Unexplained >= SuspectsToConverge;
 
         // Keeps the previous line, and widens its error bound so that the bound includes the contradiction. If the contradiction is serious, the
         // state becomes converging.
@@ -195,7 +211,7 @@ namespace Nowpose.Sync
             var bound = (suspected > proven ? suspected : proven) + _detector.Suspicion;
             var error = IsStepProbable ? bound : EstimatedError(line, proven) + _detector.Suspicion;
             _estimate = new Estimate(
-                line, StateOf(line, error, exchange.ServerSynchronised), bound, error, exchange.RoundTripTime,
+                line, StateOf(line, error, exchange.ServerSynchronised && !IsSlewed(exchange.T4)), bound, error, exchange.RoundTripTime,
                 exchange.Resolution, _estimate.Steps + (stepped ? 1 : 0), _detector.Suspects.Count > 0 || _detector.Suspicion > TimeSpan.Zero);
         }
 
@@ -206,9 +222,11 @@ namespace Nowpose.Sync
             return likely > proven ? proven : likely;
         }
 
-        ClockState StateOf(in ClockLine line, TimeSpan error, bool isServerSynchronised)
+        bool IsSlewed(HeadsetTime now) => _stepsInRow >= StepsOfSlew && now - _lastStep <= SlewPause;
+
+        ClockState StateOf(in ClockLine line, TimeSpan error, bool isReliable)
         {
-            if (!isServerSynchronised || IsStepProbable) return ClockState.Converging;
+            if (!isReliable || IsStepProbable) return ClockState.Converging;
             if (line.Exchanges >= _settings.ExchangesToSynchronise && _synchronised.Admits(error)) return ClockState.Synchronised;
             return line.Exchanges >= ExchangesToBeCoarse && _coarse.Admits(error) ? ClockState.Coarse : ClockState.Converging;
         }
