@@ -7,8 +7,8 @@ import type { Nanoseconds } from '../times';
 export const READINGS_AT_ONCE = 16;
 
 /**
- * Conditions for the end of a measurement: at least MIN_READINGS readings and CHANGES changes of the time, and a known resolution or MAX_READINGS
- * readings. Between two changes lies a complete standstill.
+ * Conditions for the end of a measurement: at least MIN_READINGS readings and CHANGES changes of the time, and a known resolution, which includes the step
+ * if the clock has stood still, or MAX_READINGS readings. Between two changes lies a complete standstill.
  */
 const MIN_READINGS = 16;
 const MAX_READINGS = 64;
@@ -28,6 +28,12 @@ export class ClockStep {
   /** Differences between consecutive readings with different times. */
   readonly #gaps: Nanoseconds[] = [];
 
+  /**
+   * @param isDense Whether the readings do not wait for each other. If they do, equal gaps may be the time that each reading waits: a PLC sends the first
+   * notification at the start of its next cycle.
+   */
+  constructor(readonly isDense: boolean) {}
+
   observe(time: Nanoseconds): void {
     this.#readings++;
     if (this.#last !== null && time !== this.#last) this.#gaps.push(time > this.#last ? time - this.#last : this.#last - time);
@@ -41,7 +47,9 @@ export class ClockStep {
 
   /** @param isKnown Whether the resolution is known apart from standstills. */
   isMeasured(isKnown: boolean): boolean {
-    return this.#readings >= MIN_READINGS && this.#gaps.length >= CHANGES && (isKnown || this.#readings >= MAX_READINGS);
+    if (this.#readings < MIN_READINGS || this.#gaps.length < CHANGES) return false;
+    const hasStood = this.isDense && this.#gaps.length < this.#readings - 1;
+    return this.#readings >= MAX_READINGS || (isKnown && (this.step > 0n || !hasStood));
   }
 
   /** The step; zero if it is not known. */
@@ -55,7 +63,7 @@ export class ClockStep {
     if (BigInt(this.#readings) * shortest > 2n * all)
       return this.#gaps.filter(gap => 2n * gap < 3n * shortest).reduce((max, gap) => (gap > max ? gap : max), 0n);
     // Slower readings also show a step if all steps are equal. Equal gaps may be the time between two readings.
-    const areEqual = this.#gaps.length >= MIN_EQUAL && this.#areMultiples(shortest) && this.#gaps.some(gap => gap > shortest);
+    const areEqual = this.isDense && this.#gaps.length >= MIN_EQUAL && this.#areMultiples(shortest) && this.#gaps.some(gap => gap > shortest);
     return areEqual ? shortest : 0n;
   }
 

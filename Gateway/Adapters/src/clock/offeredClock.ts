@@ -180,7 +180,7 @@ export class OfferedClock {
   }
 
   async #measureStep(read: ReadClock, stop: AbortSignal): Promise<void> {
-    const step = new ClockStep();
+    const step = new ClockStep(this.#atOnce > 1);
     const running: Promise<void>[] = [];
     const readStep = async (): Promise<void> => step.observe((await this.#observed(read)).sent);
     for (let i = 1; !step.isMeasured(this.#resolution.isKnown) && !this.#resolution.isStopped && !stop.aborted; i++) {
@@ -191,7 +191,7 @@ export class OfferedClock {
       if (i % 2 === 0) await finePause(step.pauseMs, stop, this.counter);
     }
     await Promise.all(running);
-    if (!this.#resolution.isStopped && !stop.aborted) this.#resolution.measured(step, this.#atOnce > 1);
+    if (!this.#resolution.isStopped && !stop.aborted) this.#resolution.measured(step);
   }
 
   async #observed(read: ReadClock): Promise<ClockReading> {

@@ -55,12 +55,12 @@ export class Resolution {
   }
 
   /**
-   * Takes the result of a measurement, which replaces that of the previous one.
-   * @param isDense Whether the readings did not wait for each other, so that the gaps show how large a step can be that they do not show.
+   * Takes the result of a measurement. A step replaces that of the previous measurement. If the readings did not wait for each other, their gaps show how
+   * large a step can be that they do not show.
    */
-  measured(step: ClockStep, isDense: boolean): void {
-    this.#measured = step.step;
-    this.#shortest = isDense && step.step === 0n ? step.shortest : 0n;
+  measured(step: ClockStep): void {
+    if (step.step > 0n) this.#measured = step.step;
+    this.#shortest = step.isDense && step.step === 0n ? step.shortest : 0n;
   }
 
   /**
