@@ -10,14 +10,14 @@ const MS = 1_000_000n, T = 1_700_000_000_000n * MS + 4_321_700n;
 const NO_LIMIT = new AbortController().signal;
 
 /** Creates a clock that is offered to a gateway, and read over a path of this length in each direction, with random delays of up to 1 ms more. */
-function clockOf(t, { stepNs, eachWayMs, seed, shownNs = 100n, servingMs = 0.02, wakesMs = 0 }) {
+function clockOf(t, { stepNs, eachWayMs, seed, shownNs = 100n, servingMs = 0.02, wakesMs = 0, irregular = 1 }) {
   const virtual = new VirtualTime(t), random = seeded(seed);
   // The server processes the requests one after the other, by default in 20 to 60 µs for each, and the responses arrive in the same order.
   let free = 0n, arrived = 0n, wake = 0n;
   const later = (time, ms) => time + BigInt(Math.round(ms * 1e6));
   const read = async () => {
     const received = later(virtual.now, eachWayMs + random());
-    while (wakesMs > 0 && wake < received) wake = later(wake, wakesMs * (1 + random()));
+    while (wakesMs > 0 && wake < received) wake = later(wake, wakesMs * (1 + irregular * random()));
     if (wake > free) free = wake;
     free = later(received > free ? received : free, servingMs * (1 + 2 * random()));
     const shown = T + free / stepNs * stepNs, time = shown - shown % shownNs, back = later(free, eachWayMs + random());
@@ -81,11 +81,16 @@ describe('clock that is read slowly', () => {
       assert.ok(errorBound <= MS, `${errorBound} ns`);
     });
 
+  // The measurement is repeated every 20 s.
   for (const seed of [1, 2, 3])
-    it(`Resolution_ServerAnswersSeveralRequestsAtOnce_IsTheLargestDivisor (seed ${seed})`, async t => {
-      const { attach, reading } = clockOf(t, { stepNs: MS, shownNs: MS, eachWayMs: 2, seed, wakesMs: 2.5 });
-      await attach();
-
-      assert.equal((await reading()).resolution, MS);
-    });
+    for (const [wakesMs, irregular] of [[2.5, 1], [10, 0], [20, 1], [50, 0.2], [50, 1]])
+      it(`Resolution_ServerAnswersRequestsEvery${wakesMs}To${wakesMs * (1 + irregular)}ms_IsTheLargestDivisor (seed ${seed})`, async t => {
+        const { clock, virtual, attach, reading } = clockOf(t, { stepNs: MS, shownNs: MS, eachWayMs: 2, seed, wakesMs, irregular, servingMs: 0.005 });
+        await attach();
+        for (let i = 0; i < 20; i++) {
+          assert.equal((await reading()).resolution, MS, `reading ${i}`);
+          await virtual.run(clock.settled);
+          await virtual.run(virtual.until(virtual.now + 21_000n * MS));
+        }
+      });
 });

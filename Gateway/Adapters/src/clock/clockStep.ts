@@ -7,8 +7,8 @@ import type { Nanoseconds } from '../times';
 export const READINGS_AT_ONCE = 16;
 
 /**
- * Conditions for the end of a measurement: at least MIN_READINGS readings and CHANGES changes of the time, and a known resolution, which includes the step
- * if the clock has stood still, or MAX_READINGS readings. Between two changes lies a complete standstill.
+ * Conditions for the end of a measurement: at least MIN_READINGS readings and CHANGES changes of the time, and a known resolution. If consecutive readings
+ * have equal times, the step must be known too, or there must be MAX_READINGS readings. Between two changes lies a complete standstill.
  */
 const MIN_READINGS = 16;
 const MAX_READINGS = 64;
@@ -23,10 +23,13 @@ const LONG_PAUSE_MS = 10;
 
 /** Measures the step of a clock that stands still between two updates, from readings in quick succession, in the order of their arrival. */
 export class ClockStep {
-  #last: Nanoseconds | null = null;
+  #last: { time: Nanoseconds; asked: Nanoseconds; heard: Nanoseconds } | null = null;
   #readings = 0;
   /** Differences between consecutive readings with different times. */
   readonly #gaps: Nanoseconds[] = [];
+  /** Time between the requests, and between the arrivals, of consecutive readings with equal times. */
+  #askedApart: Nanoseconds = 0n;
+  #heardApart: Nanoseconds = 0n;
 
   /**
    * @param isDense Whether the readings do not wait for each other. If they do, equal gaps may be the time that each reading waits: a PLC sends the first
@@ -34,10 +37,19 @@ export class ClockStep {
    */
   constructor(readonly isDense: boolean) {}
 
-  observe(time: Nanoseconds): void {
+  /**
+   * Adds a reading.
+   * @param asked Time on this machine's counter before the reading.
+   * @param heard Time on the same counter after the reading.
+   */
+  observe(time: Nanoseconds, asked: Nanoseconds, heard: Nanoseconds): void {
     this.#readings++;
-    if (this.#last !== null && time !== this.#last) this.#gaps.push(time > this.#last ? time - this.#last : this.#last - time);
-    this.#last = time;
+    if (this.#last !== null && time !== this.#last.time) this.#gaps.push(time > this.#last.time ? time - this.#last.time : this.#last.time - time);
+    else if (this.#last !== null) {
+      this.#askedApart += asked - this.#last.asked;
+      this.#heardApart += heard - this.#last.heard;
+    }
+    this.#last = { time, asked, heard };
   }
 
   /** Pause before the next two readings, ms. */
@@ -48,14 +60,14 @@ export class ClockStep {
   /** @param isKnown Whether the resolution is known apart from standstills. */
   isMeasured(isKnown: boolean): boolean {
     if (this.#readings < MIN_READINGS || this.#gaps.length < CHANGES) return false;
-    const hasStood = this.isDense && this.#gaps.length < this.#readings - 1;
-    return this.#readings >= MAX_READINGS || (isKnown && (this.step > 0n || !hasStood));
+    if (this.#readings >= MAX_READINGS) return isKnown || this.step > 0n;
+    const isClear = this.step > 0n || this.#gaps.length === this.#readings - 1 || !this.isDense;
+    return isKnown && isClear;
   }
 
   /** The step; zero if it is not known. */
   get step(): Nanoseconds {
-    // A server that answers several requests at once shows equal times, too, but with gaps of any length.
-    if (this.#gaps.length === 0 || !this.#areMultiples(6n)) return 0n;
+    if (this.#gaps.length === 0 || this.#areInGroups || !this.#areMultiples(6n)) return 0n;
     const { shortest } = this;
     const all = this.#gaps.reduce((sum, gap) => sum + gap, 0n);
     // If more than one pair on average has read each time, the shortest gap is a single step. The other single steps are shorter than 1.5 of it: a
@@ -65,6 +77,14 @@ export class ClockStep {
     // Slower readings also show a step if all steps are equal. Equal gaps may be the time between two readings.
     const areEqual = this.isDense && this.#gaps.length >= MIN_EQUAL && this.#areMultiples(shortest) && this.#gaps.some(gap => gap > shortest);
     return areEqual ? shortest : 0n;
+  }
+
+  /**
+   * Whether the server answers requests in groups, for example once in each cycle of a PLC: their times are equal although its clock advances, but the
+   * responses arrive together. Those of a clock that stands still are as far apart as the requests.
+   */
+  get #areInGroups(): boolean {
+    return this.isDense && 2n * this.#heardApart < this.#askedApart;
   }
 
   /** Whether each gap differs from a multiple of the shortest one by at most this part of it. */

@@ -174,23 +174,31 @@ export class OfferedClock {
   }
 
   async #measure(read: ReadClock, stop: AbortSignal): Promise<void> {
+    const asked = this.counter();
     const { resolution } = await this.#observed(read);
-    if (this.fixedResolution === null && resolution === undefined) await this.#measureStep(read, stop);
+    if (this.fixedResolution === null && resolution === undefined) await this.#measureStep(read, stop, this.counter() - asked);
     if (!this.#resolution.isStopped) this.#measured = this.counter();
   }
 
-  async #measureStep(read: ReadClock, stop: AbortSignal): Promise<void> {
+  /** @param first Duration of a reading that no other reading delays, ns. */
+  async #measureStep(read: ReadClock, stop: AbortSignal, first: Nanoseconds): Promise<void> {
     const step = new ClockStep(this.#atOnce > 1);
-    const running: Promise<void>[] = [];
-    const readStep = async (): Promise<void> => step.observe((await this.#observed(read)).sent);
+    const running: { asked: Nanoseconds; reading: Promise<void> }[] = [];
+    const observe = async (asked: Nanoseconds): Promise<void> => {
+      const { sent } = await this.#observed(read);
+      step.observe(sent, asked, this.counter());
+    };
     for (let i = 1; !step.isMeasured(this.#resolution.isKnown) && !this.#resolution.isStopped && !stop.aborted; i++) {
-      running.push(readStep());
-      running.at(-1)!.catch(() => {});
-      if (running.length >= this.#atOnce) await running.shift();
+      const asked = this.counter(),
+        reading = observe(asked);
+      reading.catch(() => {});
+      running.push({ asked, reading });
+      // A slow server must not get more requests than it can process, because they would delay its other messages.
+      while (running.length >= this.#atOnce || (running.length > 0 && this.counter() - running[0].asked > 2n * first)) await running.shift()!.reading;
       // The two readings of a pair are as close together as possible, so that a clock with small steps shows two times with a small difference.
       if (i % 2 === 0) await finePause(step.pauseMs, stop, this.counter);
     }
-    await Promise.all(running);
+    await Promise.all(running.map(one => one.reading));
     if (!this.#resolution.isStopped && !stop.aborted) this.#resolution.measured(step);
   }
 

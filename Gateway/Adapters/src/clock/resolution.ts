@@ -55,11 +55,11 @@ export class Resolution {
   }
 
   /**
-   * Takes the result of a measurement. A step replaces that of the previous measurement. If the readings did not wait for each other, their gaps show how
-   * large a step can be that they do not show.
+   * Takes the result of a measurement, which replaces that of the previous one. If the readings did not wait for each other, their gaps show how large a
+   * step can be that they do not show.
    */
   measured(step: ClockStep): void {
-    if (step.step > 0n) this.#measured = step.step;
+    this.#measured = step.step;
     this.#shortest = step.isDense && step.step === 0n ? step.shortest : 0n;
   }
 

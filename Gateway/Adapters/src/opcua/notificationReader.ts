@@ -134,7 +134,7 @@ export class NotificationReader {
     else this.#received.delete(node);
     const stamp = bad === null ? this.#stampOf(value) : null;
     // The first value may have changed long ago.
-    if (bad === null && !isFirst && this.settings.timestamp === 'source') this.#comparison.add(stamp, serverStamp(value));
+    if (bad === null && !isFirst && this.settings.timestamp === 'source') this.#comparison.add(stamp, serverStamp(value), this.context.clock.now);
     const refusal = bad ?? (stamp === null && !isFirst && this.#time !== null && this.#hasStamp(value) ? this.#unmatched : null);
     return this.map.valuesOf(node).map((index): PlantValue => {
       const found = refusal ?? valueOf(this.map.addressOf(index), value);

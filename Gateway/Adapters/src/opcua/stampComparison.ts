@@ -8,6 +8,9 @@ const MIN_CHANGES = 10;
 /** Maximum time by which a source timestamp may be later than the server's time stamp, for servers that round them differently. */
 const MAX_AHEAD: Nanoseconds = 5n * NS_PER_MS;
 
+/** Maximum difference of the server's time stamps from the clock that headsets use. A larger one shows that they are from another clock. */
+const MAX_FROM_CLOCK: Nanoseconds = 2n * NS_PER_S;
+
 /** Minimum age of the newest change at which the source is reported. Most servers sample their sources more often. */
 const MIN_BEHIND: Nanoseconds = 50n * NS_PER_MS;
 
@@ -25,8 +28,9 @@ export class StampComparison {
   /** @param report Called after each comparison with the text for the user, or with null if the time stamps agree. */
   constructor(readonly report: (text: string | null) => void) {}
 
-  add(source: Nanoseconds | null, server: Nanoseconds | null): void {
-    if (source === null || server === null) return;
+  /** @param now Approximate time of the clock that headsets use; null while it is unknown. */
+  add(source: Nanoseconds | null, server: Nanoseconds | null, now: Nanoseconds | null): void {
+    if (source === null || server === null || now === null || now - server > MAX_FROM_CLOCK || server - now > MAX_FROM_CLOCK) return;
     const age = server - source;
     if (this.#began === null || server < this.#began) this.#restart(server, age);
     this.#changes++;

@@ -66,12 +66,12 @@ describe('ads', { concurrency: 4 }, () => {
         const { received, sent, resolution_ns, error_bound_ns, synchronised } = values;
 
         assert.deepEqual(received, sent);
-        // The adapter reads the variable once per millisecond. On a busy machine it may see only every second or third cycle.
-        if (kind === 'Variable') assert.ok(resolution_ns > 0 && resolution_ns % CYCLE_NS === 0, `resolution ${resolution_ns}`);
-        else assert.ok(resolution_ns > 0 && resolution_ns <= 1_000_000, `resolution ${resolution_ns}`);
-        const late = BigInt(kind === 'Variable' ? resolution_ns + 100_000 : 0);
+        // On a busy machine, the readings may not show the cycle. The bound then contains it.
+        if (kind === 'Variable') assert.ok(resolution_ns + error_bound_ns >= CYCLE_NS, `resolution ${resolution_ns}, bound ${error_bound_ns}`);
+        else assert.ok(resolution_ns > 0 && resolution_ns <= 1_000_000 && error_bound_ns === 0, `resolution ${resolution_ns}, bound ${error_bound_ns}`);
+        const late = BigInt(kind === 'Variable' ? resolution_ns + error_bound_ns + 100_000 : 0);
         assert.ok(nanoseconds(received) >= before - late && nanoseconds(received) <= after, `${before} ${nanoseconds(received)} ${after}`);
-        assert.deepEqual([error_bound_ns, synchronised], [0, true]);
+        assert.equal(synchronised, true);
       }
       // The adapter cancels the subscriptions with which it reads the clock.
       await until(() => server.notifications <= 8, () => `${server.notifications} notifications`);

@@ -11,11 +11,11 @@ const MS = 1_000_000n, T = 1_700_000_000_000n * MS;
 
 describe('source timestamps', () => {
   /** Compares the time stamps of a change every 100 ms, whose source timestamps have these ages. Returns the reports. */
-  const reports = (seconds, ageMs, everyMs = 100) => {
+  const reports = (seconds, ageMs, everyMs = 100, clockAheadMs = 40n) => {
     const found = [], comparison = new StampComparison(text => found.push(text));
     for (let ms = 0; ms <= seconds * 1000; ms += everyMs) {
       const server = T + BigInt(ms) * MS;
-      comparison.add(server - BigInt(Math.round(ageMs(ms) * 1e6)), server);
+      comparison.add(server - BigInt(Math.round(ageMs(ms) * 1e6)), server, server + clockAheadMs * MS);
     }
     return found;
   };
@@ -37,14 +37,18 @@ describe('source timestamps', () => {
   it('Stamps_SourceCorrected_EndsTheReport', () =>
     assert.deepEqual(reports(11, ms => (ms < 5500 ? 150 : 0)), [stampsBehind(150), null]));
 
+  // A server that does not stamp with its CurrentTime, which headsets use.
+  it('Stamps_ServersAreOfAnotherClock_AreNotCompared', () => assert.deepEqual(reports(8, () => 150, 100, 60_000n), []));
+
   it('Stamps_FewChanges_AreNotCompared', () => assert.deepEqual(reports(8, () => 150, 1000), []));
 
   it('Stamps_Missing_AreNotCompared', () => {
     const comparison = new StampComparison(() => assert.fail('compared'));
 
     for (let i = 0n; i < 100n; i++) {
-      comparison.add(null, T + 100n * i * MS);
-      comparison.add(T + 100n * i * MS, null);
+      comparison.add(null, T + 100n * i * MS, T + 100n * i * MS);
+      comparison.add(T + 100n * i * MS, null, T + 100n * i * MS);
+      comparison.add(T, T + 100n * i * MS, null);
     }
   });
 });
