@@ -239,7 +239,9 @@ export class AdsSession {
       return this.#time!.read();
     };
     try {
-      await this.context.clock.attach(read, this.context.stopping, this.#time!.atOnce);
+      const { clock, stopping } = this.context;
+      await clock.attach(read, stopping, this.#time!.atOnce);
+      if (clock.isStopped && this.settings.time !== null) throw new Error(adsMessages.clockStopped(this.settings.time.symbol));
     } catch (error) {
       if (this.#isRunning) this.#end(adsMessages.clockNotReadable(this.#reasonOf(error)));
     }

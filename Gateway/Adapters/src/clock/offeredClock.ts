@@ -90,6 +90,11 @@ export class OfferedClock {
     return this.fixedResolution ?? this.#resolution.value;
   }
 
+  /** Whether the clock has shown the newest time for more than a second. */
+  get isStopped(): boolean {
+    return this.#resolution.isStopped;
+  }
+
   /** Resolves when no measurement of the resolution is running. */
   get settled(): Promise<void> {
     return this.#measuring ?? Promise.resolve();

@@ -48,6 +48,7 @@ export const adsMessages = {
   programStopped: "the PLC's program is not running; start it",
   clockNotReadable: (reason: string) => `the PLC's clock cannot be read: ${reason}`,
   noTime: (symbol: string) => `${symbol} does not contain a valid time; let the PLC's program write its time to this variable`,
+  clockStopped: (symbol: string) => `the time in ${symbol} does not advance`,
   noNotification: (maxMs: number) => `the PLC did not send the first notification within ${maxMs} ms`,
   frameTooLarge: 'the PLC sent a frame larger than 16 MiB',
   sampleTooLarge: (size: number, most: number) => `a sample of ${size} bytes does not fit into its frame of ${most} bytes`,

@@ -2,7 +2,6 @@ import './libraryLog';
 import { type UserIdentityInfo, UserTokenType } from 'node-opcua-client';
 import type { AdapterContext } from '../adapter';
 import { Backoff, pause } from '../backoff';
-import { READINGS_AT_ONCE } from '../clock/clockStep';
 import { delayOf, silentAfterMs, STAMP_LAG_MS, unconfirmedAfterMs } from '../samples/silentValues';
 import { type Nanoseconds, ofMilliseconds } from '../times';
 import { clockOf } from './clockReader';
@@ -85,7 +84,7 @@ async function attempt(
     const { ids: nodes, lost } = await idsOf(session, map);
     const serverSilence = new ServerSilence();
     const clock = await clockOf(session, settings, settings.time === null ? null : nodes.at(-1)!, context.log);
-    await context.clock.attach(clock, stopping, READINGS_AT_ONCE);
+    await context.clock.attach(clock.read, stopping, clock.atOnce);
     reader.restart();
     const silent = new SilentNodes(
       session,

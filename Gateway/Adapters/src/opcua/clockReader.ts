@@ -1,3 +1,4 @@
+import { READINGS_AT_ONCE } from '../clock/clockStep';
 import type { ClockReading, ReadClock } from '../clock/offeredClock';
 import type { Log } from '../log';
 import { monotonicTime, type Nanoseconds, NS_PER_MS } from '../times';
@@ -20,10 +21,16 @@ const STANDS: Nanoseconds = 16n * NS_PER_MS;
 const SAME_CLOCK: Nanoseconds = 3000n * NS_PER_MS;
 
 /**
- * Gets a function that reads the clock from which the time stamps come, which is the server's clock or the time variable.
+ * Gets a function that reads the clock from which the time stamps come, which is the server's clock or the time variable, and the maximum number of its
+ * simultaneous calls.
  * @param variable Node id of the time variable; null for the server's clock.
  */
-export async function clockOf(session: ReadOnlySession, settings: OpcUaSettings, variable: string | null, log: Log): Promise<ReadClock> {
+export async function clockOf(
+  session: ReadOnlySession,
+  settings: OpcUaSettings,
+  variable: string | null,
+  log: Log,
+): Promise<{ read: ReadClock; atOnce: number }> {
   const node = variable ?? CURRENT_TIME;
   const ofNode = async (): Promise<ClockReading> => {
     const value = await session.read(node);
@@ -32,14 +39,16 @@ export async function clockOf(session: ReadOnlySession, settings: OpcUaSettings,
     if (time === null) throw new Error(nodeMessages.noTime(node));
     return { received: time, sent: time };
   };
-  if (node !== CURRENT_TIME || !(await stands(session, ofNode))) return ofNode;
+  if (node !== CURRENT_TIME || !(await stands(session, ofNode))) return { read: ofNode, atOnce: READINGS_AT_ONCE };
   log.change('server clock', 'seldom', opcuaMessages.rareTime);
-  return async (): Promise<ClockReading> => {
+  const ofHeader = async (): Promise<ClockReading> => {
     await session.read(node);
     const sent = sentAt(session);
     if (sent === null) throw new Error(opcuaMessages.noTimeOfAnswer);
     return { received: sent, sent };
   };
+  // The time is that of the newest response, so a second request would change it.
+  return { read: ofHeader, atOnce: 1 };
 }
 
 /** Whether the server's CurrentTime stands still between updates, and its responses contain the time of the same clock. */

@@ -41,6 +41,13 @@ describe('faults over ADS', { concurrency: 4 }, () => {
     assert.match(bridge.joint('axis').reason, like(symbolMessages.unknown('line 11', 'MAIN.fAxs2', ['MAIN.fAxis2'])));
   });
 
+  it('Clock_VariableDoesNotAdvance_IsNamed', async t => {
+    const more = '  timestamp: variable\n  time: { symbol: GVL.nStoppedTime, unit: ns }\n';
+    const { adapter } = await cell(t, { more });
+
+    await adapter.said(adsMessages.clockNotReadable(adsMessages.clockStopped('GVL.nStoppedTime')));
+  });
+
   it('Adapter_PlcStoppedAndStarted_ReportsTheStopThenReadsAgain', async t => {
     const { plc, bridge, adapter } = await cell(t);
     await statesOf(bridge);

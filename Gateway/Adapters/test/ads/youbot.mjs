@@ -28,6 +28,7 @@ export function variables() {
     new PlcSymbol('MAIN.bOpen', 'BOOL', time => opening(time) > 0.005),
     new PlcSymbol('MAIN.sName', 'STRING', () => 'youBot'),
     new PlcSymbol('GVL.nTime', 'LINT', time => time),
+    new PlcSymbol('GVL.nStoppedTime', 'LINT', () => 1_700_000_000_000_000_000n),
     new PlcSymbol('GVL.ftTime', 'T_FILETIME', time => time / 100n + 116444736000000000n),
     new PlcSymbol('GVL.fSeconds', 'LREAL', time => Number(time) / 1e9),
     new PlcSymbol('GVL.dtTime', 'DT', time => Number(time / 1_000_000_000n)),
