@@ -25,8 +25,8 @@ static class AddressOptionMessages
         $"{option} {port} on {address}: {reason}; choose another port, or stop the program that uses this one and wait until its connections have ended";
 
     public static string PortReserved(string option, int port, IPAddress address, string reason) =>
-        $"{option} {port} on {address}: {reason}; choose a port above 1023 that Windows does not reserve "
-        + "(netsh interface ipv4 show excludedportrange protocol=tcp)";
+        $"{option} {port} on {address}: {reason}; stop the program that uses this port, or choose a port above 1023 that Windows "
+        + "does not reserve (netsh interface ipv4 show excludedportrange protocol=tcp)";
 
     public static string PortPrivileged(string option, int port, IPAddress address, string reason) =>
         $"{option} {port} on {address}: {reason}; choose a port above 1023";

@@ -29,7 +29,8 @@ public static class RecordingText
             throw new InputException(MotionFileMessages.IsAFolder(path));
         var bytes = FileFault.Report<Stream>(
             // Windows would otherwise refuse a file that another program is writing.
-            () => new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete), e => FileFault.IsMissing(e) ? PathMessages.NotFound(path) : PathMessages.NotRead(path, e));
+            () => new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete),
+            e => FileFault.IsMissing(e) ? PathMessages.NotFound(path) : PathMessages.NotRead(path, e));
         var text = path.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? new GZipStream(bytes, CompressionMode.Decompress) : bytes;
         var lines = new LineLimitStream(
             text, line => throw new InputException(MotionFileMessages.LineTooLong(path, line, MaxLineMebibytes)), MaxLineMebibytes << 20);

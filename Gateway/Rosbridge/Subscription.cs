@@ -20,7 +20,7 @@ sealed class Subscription : IDisposable
     // One of the two is null.
     readonly LatchedQueue _latched;
     readonly SampleQueue _samples;
-    // Continues the sending loop on the thread that ends the subscription. The loop then only returns.
+    // Continues the sending loop on the thread that ends the subscription.
     readonly TaskCompletionSource _ended = new();
 
     public Subscription(MessageHub hub, string topic, SubscriptionTerms terms, int standardQueue, DropCounters drops)

@@ -47,7 +47,7 @@ static class OwnHosts
         catch (SocketException e)
         {
             // Any other error, such as too few file descriptors, has nothing to do with the address.
-            return e.SocketErrorCode != SocketError.AddressNotAvailable;
+            return e.SocketErrorCode is not (SocketError.AddressNotAvailable or SocketError.AddressFamilyNotSupported);
         }
     }
 

@@ -25,7 +25,7 @@ static class ServeVerb
         controlClock.Validators.Add(CheckClock);
         var ownClock = ChoiceOption.Create(
             "--own-clock",
-            "The gateway's own clock: monotonic starts at Unix time and is never corrected; system follows the corrections of the system clock "
+            "The gateway's own clock: monotonic starts at Unix time and is never set; system follows all corrections of the system clock "
                 + "(for sources that use it for their time stamps)",
             Monotonic, [Monotonic, System]);
         var plants = TextOption.CreateList(

@@ -140,7 +140,8 @@ namespace Nowpose.Frames
             var newest = _pipeline.Newest.Order;
             var body = new BodySample(sample.Time, sample.Position, _rotations.Add(sample.Order, sample.Rotation), sample.Order);
             var reason = _pipeline.Receive(body, out hasRestarted);
-            if (_pipeline.IsNewestStampWrong) _rotations.Remove(newest);
+            // Otherwise, the sample with the wrong stamp was left out, and has no rotation.
+            if (_pipeline.IsNewestStampWrong && newest > _pipeline.Ready[0].Order) _rotations.Remove(newest);
             return reason;
         }
 

@@ -87,7 +87,7 @@ namespace Nowpose.Prediction.Samples
             for (var c = 0; c < next.Components; c++)
             {
                 byStamp += Distance(before, first, c) + Distance(last, newest, c) + Distance(newest, next, c);
-                byArrival += Distance(before, newest, c) + Distance(newest, first, c) + Distance(last, next, c) + Noise(c);
+                byArrival += Distance(before, newest, c) + Distance(newest, first, c) + Distance(last, next, c) + 2 * Noise(c);
                 withoutNewest += Math.Abs(Velocity(last, next, c) - Velocity(before, first, c));
                 withoutLate += Math.Abs(Velocity(newest, next, c) - Velocity(before, newest, c));
             }

@@ -25,10 +25,15 @@ namespace Nowpose.Session.Hindcast
         NoRenderTime,
 
         /// <summary>
-        /// Frames miss refreshes: their rate is too low, or no range is known, and the display's GPU time is above its refresh interval. Runtimes
-        /// predict the display time of frames in time.
+        /// Frames miss refreshes: no range is known, and the display's GPU time is above its refresh interval. Runtimes predict the display time of
+        /// frames in time.
         /// </summary>
         LongerThanRefresh,
+
+        /// <summary>
+        /// Frames miss refreshes, because their rate is too low. The errors of the run leave these frames out, because the rate always shows them.
+        /// </summary>
+        LowFrameRate,
 
         /// <summary>
         /// The base of the robot moves, and the errors of its pose are not measured. Withholds only the errors of the tool, not those of the joints.
@@ -45,8 +50,8 @@ namespace Nowpose.Session.Hindcast
             switch (renderTimes.UnknownReason)
             {
                 case RangeUnknownReason.BeyondMeasured: return ErrorWithheldReason.BeyondMeasured;
-                case RangeUnknownReason.LongerThanRefresh:
-                case RangeUnknownReason.LowFrameRate: return ErrorWithheldReason.LongerThanRefresh;
+                case RangeUnknownReason.LongerThanRefresh: return ErrorWithheldReason.LongerThanRefresh;
+                case RangeUnknownReason.LowFrameRate: return ErrorWithheldReason.LowFrameRate;
                 case RangeUnknownReason.OtherSource when !isPredicted: return ErrorWithheldReason.OtherSource;
                 case RangeUnknownReason.NoRenderTime when !isPredicted: return ErrorWithheldReason.NoRenderTime;
                 default: return renderTimes.State == RangeState.Outside ? ErrorWithheldReason.OutsideRange : ErrorWithheldReason.None;
@@ -62,7 +67,8 @@ namespace Nowpose.Session.Hindcast
                 case ErrorWithheldReason.BeyondMeasured: return StateNames.BeyondMeasured;
                 case ErrorWithheldReason.OtherSource: return StateNames.OtherSourceLimit;
                 case ErrorWithheldReason.NoRenderTime: return StateNames.RenderTimeNotMeasured;
-                case ErrorWithheldReason.LongerThanRefresh: return StateNames.FramesMissRefreshes;
+                case ErrorWithheldReason.LongerThanRefresh:
+                case ErrorWithheldReason.LowFrameRate: return StateNames.FramesMissRefreshes;
                 case ErrorWithheldReason.MovingBase: return StateNames.MovingBase;
                 default: return null;
             }

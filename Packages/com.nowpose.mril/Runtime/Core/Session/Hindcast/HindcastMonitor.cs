@@ -80,7 +80,9 @@ namespace Nowpose.Session.Hindcast
         public ErrorWithheldReason Withheld { get; private set; }
 
         /// <summary>Reason why the errors of the run are withheld, which is the reason for the first frame that cannot be scored.</summary>
-        public ErrorWithheldReason WithheldOfRun => _hasRunBegun ? _withheldOfRun : Withheld;
+        public ErrorWithheldReason WithheldOfRun => IsRunKnown ? _withheldOfRun : Withheld;
+
+        bool IsRunKnown => _hasRunBegun && (_withheldOfRun != ErrorWithheldReason.None || _tool.OfRun.HasValue);
 
         bool IsKnown => _now.HasValue && (IsToolKnown || Withheld == ErrorWithheldReason.MovingBase);
 
@@ -101,7 +103,7 @@ namespace Nowpose.Session.Hindcast
             if (_now == null || frame.State == PoseState.Incomplete) return;
             // The first frames of a session have no render time, because its source has not been found yet.
             _hasRunBegun |= Withheld != ErrorWithheldReason.OtherSource && Withheld != ErrorWithheldReason.NoRenderTime;
-            if (_hasRunBegun && _withheldOfRun == ErrorWithheldReason.None) _withheldOfRun = Withheld;
+            if (_hasRunBegun && _withheldOfRun == ErrorWithheldReason.None && Withheld != ErrorWithheldReason.LowFrameRate) _withheldOfRun = Withheld;
             if (!IsKnown) return;
             var needed = FollowMimics(given);
             for (var i = 0; i < _tracks.Length; i++)
