@@ -67,8 +67,26 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(slow.Skip(9), Is.Not.Empty.And.All.EqualTo(PoseState.OutsideRange));
             Assert.That(statistics.Range, Is.EqualTo(RangeState.Outside));
             Assert.That(statistics.RangeUnknownReason, Is.EqualTo(RangeUnknownReason.LowFrameRate));
-            Assert.That(statistics.ErrorWithheld, Is.EqualTo(ErrorWithheldReason.LongerThanRefresh));
+            Assert.That(statistics.ErrorWithheld, Is.EqualTo(ErrorWithheldReason.LowFrameRate));
             Assert.That(returned.Skip(45), Is.Not.Empty.And.All.EqualTo(PoseState.Current));
+        }
+
+        // The rate always shows these frames, so they cannot hide among the others.
+        [Test]
+        public void Statistics_FramesMissRefreshesForAWhile_AreLeftOutOfTheErrorOfTheRun()
+        {
+            var simulated = Session(null);
+            simulated.Session.Conditions = new DisplayConditions(displayHz: 60);
+            simulated.Run(10);
+            simulated.FrameSeconds = 1 / 30.0;
+            simulated.Run(2);
+            simulated.FrameSeconds = 1 / 60.0;
+            simulated.Run(5);
+
+            var statistics = simulated.Session.Statistics(HeadsetTime.FromSeconds(simulated.Now));
+
+            Assert.That(statistics.ErrorOfRunWithheld, Is.EqualTo(ErrorWithheldReason.None));
+            Assert.That(statistics.ToolErrorOfRun.Value.Frames, Is.InRange(600, 900));
         }
 
         [Test]

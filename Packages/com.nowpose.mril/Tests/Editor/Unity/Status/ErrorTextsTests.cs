@@ -27,6 +27,7 @@ namespace Nowpose.Tests.Unity.Status
         [TestCase(ErrorWithheldReason.BeyondMeasured, "–|" + StateNames.BeyondMeasured)]
         [TestCase(ErrorWithheldReason.OtherSource, "–|" + StateNames.OtherSourceLimit)]
         [TestCase(ErrorWithheldReason.NoRenderTime, "–|" + StateNames.RenderTimeNotMeasured)]
+        [TestCase(ErrorWithheldReason.LowFrameRate, "–|" + StateNames.FramesMissRefreshes)]
         [TestCase(ErrorWithheldReason.LongerThanRefresh, "–|" + StateNames.FramesMissRefreshes)]
         [TestCase(ErrorWithheldReason.MovingBase, "–|" + StateNames.MovingBase)]
         public void Update_ErrorIsWithheld_ShowsTheReasonBesideTheMissingError(object reason, string expected)

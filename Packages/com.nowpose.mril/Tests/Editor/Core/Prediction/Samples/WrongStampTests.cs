@@ -55,6 +55,27 @@ namespace Nowpose.Tests.Core.Prediction.Samples
             Assert.That(joint.IsNewestStampWrong, Is.False);
         }
 
+        // At rest, positions with noise do not show the order of the samples.
+        [Test]
+        public void Add_SamplesAtRestWithNoiseAreOvertaken_AreHardlyEverWrong()
+        {
+            var random = new Random(1);
+            var wrong = 0;
+            for (var run = 0; run < 20; run++)
+            {
+                var joint = Predictors.Create("adaptive", PredictionLimits.Unlimited);
+                for (var k = 0; k < 400; k += 2)
+                    foreach (var at in random.NextDouble() < 0.2 ? new[] { k + 1, k } : new[] { k, k + 1 })
+                    {
+                        var noise = random.NextDouble() + random.NextDouble() + random.NextDouble() - 1.5;
+                        joint.Add(new JointSample(at * Interval, 1 + 1e-3 * noise));
+                        if (joint.IsNewestStampWrong) wrong++;
+                    }
+            }
+
+            Assert.That(wrong, Is.LessThanOrEqualTo(2), "of about 800");
+        }
+
         // A source whose clock has a resolution of two intervals.
         [Test]
         public void Add_TwoSamplesWithEachStamp_TheSecondIsDropped()
