@@ -14,12 +14,11 @@ namespace Nowpose.Latency
         internal const double MaxVisuMs = 500;
         internal const double MinRenderMs = 0.1;
         internal const double MaxRenderMs = 1000;
-        internal const double MaxDisplayHz = DisplayConditions.MaxDisplayHz;
 
         /// <param name="visuMs">As in the other constructor.</param>
         /// <param name="spreadMs">As in the other constructor.</param>
         /// <param name="device">Model name, up to 128 characters; null or empty when it is not known.</param>
-        /// <param name="displayHz">Refresh rate, up to 1000 Hz; 0 or NaN when it is not known.</param>
+        /// <param name="displayHz">Refresh rate, 1 to 1000 Hz; 0 or NaN when it is not known.</param>
         /// <param name="measuredUtc">As in the other constructor.</param>
         /// <param name="method">As in the other constructor.</param>
         /// <param name="measurements">As in the other constructor.</param>

@@ -24,7 +24,8 @@ namespace Nowpose.Unity.Rendering
         public static double? DisplayHz(List<XRDisplaySubsystem> displays)
         {
             SubsystemManager.GetSubsystems(displays);
-            return displays.Count > 0 && displays[0].TryGetDisplayRefreshRate(out var hertz) && hertz >= 1 && hertz <= 1000
+            return displays.Count > 0 && displays[0].TryGetDisplayRefreshRate(out var hertz)
+                && hertz >= DisplayConditions.MinDisplayHz && hertz <= DisplayConditions.MaxDisplayHz
                 ? hertz : (double?)null;
         }
 

@@ -13,7 +13,7 @@ namespace Nowpose.Latency.Conditions
         /// <summary>Maximum length of a string, in characters.</summary>
         public const int MaxTextLength = 128;
 
-        internal const double MaxDisplayHz = 1000;
+        internal const double MinDisplayHz = 1, MaxDisplayHz = 1000;
         internal const string On = "on", Off = "off";
 
         /// <summary>Maximum difference between two reports of the same rate: 60 Hz may also be reported as 59.94 Hz.</summary>
@@ -26,7 +26,7 @@ namespace Nowpose.Latency.Conditions
         /// <param name="device">
         /// Model of the headset. It and the other strings are one line of up to 128 characters; null or empty if unknown.
         /// </param>
-        /// <param name="displayHz">Refresh rate, up to 1000 Hz; null, 0 or NaN when not known.</param>
+        /// <param name="displayHz">Refresh rate, 1 to 1000 Hz; null, 0 or NaN when not known.</param>
         /// <param name="graphicsApi">Value of <c>SystemInfo.graphicsDeviceType</c>, such as Direct3D11.</param>
         /// <param name="graphicsJobs">Value of <c>SystemInfo.renderingThreadingMode</c>: MultiThreaded without Graphics Jobs.</param>
         /// <param name="renderPipeline">Type name of the render pipeline's asset, or "built-in".</param>
@@ -39,7 +39,7 @@ namespace Nowpose.Latency.Conditions
             bool? rewritesBeforeRender = null, string latencyOptimization = null, ReprojectionMode reprojection = ReprojectionMode.Unknown)
         {
             if (displayHz.HasValue && displayHz != 0 && !double.IsNaN(displayHz.Value))
-                DisplayHz = SettingRange.Require(displayHz.Value, 0, MaxDisplayHz, "display rate", "Hz");
+                DisplayHz = SettingRange.Require(displayHz.Value, MinDisplayHz, MaxDisplayHz, "display rate", "Hz");
             RewritesBeforeRender = rewritesBeforeRender;
             Reprojection = reprojection;
             Set(DisplayCondition.Device, device, SettingNames.DeviceModel);

@@ -88,7 +88,7 @@ namespace Nowpose.Latency.Profile
         static DisplayConditions ConditionsOf(ProfileFields fields)
         {
             var device = fields.Text("device");
-            var displayHz = fields.Number("display_hz", 0, LatencyProfile.MaxDisplayHz, "Hz");
+            var displayHz = fields.Number("display_hz", 0, DisplayConditions.MaxDisplayHz, "Hz");
             var others = DisplayConditions.Parse(
                 condition => condition > DisplayCondition.DisplayRate ? fields.OptionalText(DisplayConditionNames.FieldOf(condition)) : null);
             return new DisplayConditions(device, displayHz).Or(others);

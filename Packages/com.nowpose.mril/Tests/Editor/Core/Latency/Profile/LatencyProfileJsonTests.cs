@@ -27,7 +27,8 @@ namespace Nowpose.Tests.Core.Latency.Profile
                 if (random.Next(2) == 0) validToMs = 0.1 + 900 * random.NextDouble();
                 var source = limitMs.HasValue ? (RenderTimeSourceKind)random.Next(1, 5) : (RenderTimeSourceKind)random.Next(5);
                 var written = new LatencyProfile(
-                    500 * random.NextDouble(), 20 * random.NextDouble(), "Gerät \"" + (char)random.Next(' ', 0x2fff) + "\" \\ 2", 120 * random.NextDouble(),
+                    500 * random.NextDouble(), 20 * random.NextDouble(),
+                    "Gerät \"" + (char)random.Next(' ', 0x2fff) + "\" \\ 2", 1 + 119 * random.NextDouble(),
                     new DateTime(random.Next(), DateTimeKind.Utc).AddYears(2020), (CalibrationMethod)method, random.Next(), limitMs, source, validToMs);
 
                 var read = LatencyProfileJson.Read(LatencyProfileJson.Write(written), "profile.json");
@@ -135,6 +136,7 @@ namespace Nowpose.Tests.Core.Latency.Profile
             new[] { "2026-11-20T13:00:00Z", "yesterday", ProfileMessages.NotADate("measured", "yesterday") },
             new[] { @"""measurements"": 300", @"""measurements"": 2.5", ProfileMessages.NotWhole("measurements", 2.5) },
             new[] { @"""display_hz"": 60", @"""display_hz"": 60, ""display_hz"": 90", ProfileMessages.Twice("display_hz") },
+            new[] { @"""display_hz"": 60", @"""display_hz"": 1e-12", SettingMessages.OutOfRange("display rate", 1e-12, " Hz", 1, 1000) },
         };
 
         [TestCaseSource(nameof(InvalidValues))]
