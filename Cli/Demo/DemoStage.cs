@@ -66,7 +66,7 @@ static class DemoStage
 
     static LatencyProfile ProfileOf(DemoSettings settings)
     {
-        if (!settings.IsRendered) return settings.Profile?.WithoutRange();
+        if (!settings.IsRendered) return settings.Profile?.WithoutDisplay();
         return settings.Profile ?? (settings.Load == null ? null : DemoCalibration.Of(settings));
     }
 

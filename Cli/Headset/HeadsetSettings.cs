@@ -27,9 +27,9 @@ sealed record HeadsetSettings
 
     public VisualisationLatency Visualisation { get; init; }
 
-    /// <summary>Settings of the session. They exclude the profile's range, because nothing is rendered.</summary>
+    /// <summary>Settings of the session. They exclude the profile's display, because nothing is rendered.</summary>
     public SessionSettings Session =>
-        new(Connection, Visualisation, new PredictionSettings(Predictor), clockEstimator: Estimator, profile: Profile?.WithoutRange(),
+        new(Connection, Visualisation, new PredictionSettings(Predictor), clockEstimator: Estimator, profile: Profile?.WithoutDisplay(),
             robotNamespace: RobotNamespace);
 
     public double Seconds { get; init; }

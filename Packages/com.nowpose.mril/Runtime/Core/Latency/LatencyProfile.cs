@@ -110,9 +110,13 @@ namespace Nowpose.Latency
         /// </summary>
         internal ConstantLatencyRange WatchedRange { get; }
 
-        /// <summary>Returns the profile without the range, for a headset that renders nothing and therefore has no render times.</summary>
-        internal LatencyProfile WithoutRange() => new LatencyProfile(
-            Visualisation.Length.TotalMilliseconds, Spread.TotalMilliseconds, Conditions, MeasuredUtc, Method, Measurements, headMotion: HeadMotion);
+        /// <summary>
+        /// Returns the profile for a headset without a display, which renders nothing: without the range, the refresh rate, and the other
+        /// conditions of rendering.
+        /// </summary>
+        internal LatencyProfile WithoutDisplay() => new LatencyProfile(
+            Visualisation.Length.TotalMilliseconds, Spread.TotalMilliseconds, new DisplayConditions(Device), MeasuredUtc, Method, Measurements,
+            headMotion: HeadMotion);
 
         /// <summary>Returns the conditions that are known for both the profile and the device, and that differ.</summary>
         /// <param name="actual">Conditions of the device that uses the profile.</param>
