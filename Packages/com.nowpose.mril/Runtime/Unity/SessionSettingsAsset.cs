@@ -58,15 +58,15 @@ namespace Nowpose.Unity
         double _visualisationMs = 40;
 
         [SerializeField, Tooltip("Maximum render time in ms, 0.1 to 1000, at which L_visu is constant. Beyond it the pose is marked. 0: not "
-            + "calibrated, so nothing is marked.")]
+            + "calibrated, so only frames that miss refreshes of the display are marked.")]
         double _renderTimeLimitMs = 0;
 
         [SerializeField, Tooltip("Source of the render times from which the limit was determined. The limit is not valid for another source.")]
         RenderTimeSourceKind _renderTimeLimitSource = RenderTimeSourceKind.None;
 
-        [SerializeField, Tooltip("Response while the render time is outside the constant-latency range. Fade: the predicted pose, fainter. "
-            + "Go On: the predicted pose, only slightly fainter. Hold: the newest samples. Stripes and a label mark the robot in each case. "
-            + "Default Fade, because a late prediction is more accurate than the newest samples.")]
+        [SerializeField, Tooltip("Response while the render time is outside the constant-latency range, or frames miss refreshes of the display. "
+            + "Fade: the predicted pose, fainter. Go On: the predicted pose, only slightly fainter. Hold: the newest samples. Stripes and a label "
+            + "mark the robot in each case. Default Fade, because a late prediction is more accurate than the newest samples.")]
         OutsideRangeResponse _outsideRange = OutsideRangeResponse.Fade;
 
         [SerializeField, Tooltip("Compute the pose again right before rendering, after Unity has waited for the display. Leave it on for headsets: "

@@ -7,7 +7,8 @@ using Nowpose.Sync;
 namespace Nowpose.Session
 {
     /// <summary>
-    /// How the robot is displayed while the render time is outside the constant-latency range, where frames appear later than calibrated.
+    /// How the robot is displayed while the render time is outside the constant-latency range, or frames miss refreshes of the display, so that
+    /// frames appear later than calibrated.
     /// The state is always <see cref="PoseState.OutsideRange"/>, and text and stripes distinguish the pose from a current pose.
     /// </summary>
     public enum OutsideRangeResponse
@@ -41,7 +42,7 @@ namespace Nowpose.Session
         /// Profile whose L_visu replaces <paramref name="visualisation"/> and whose range, if it has one, replaces <paramref name="range"/>; null without
         /// a profile.
         /// </param>
-        /// <param name="outsideRange">How the robot is displayed while the render time is outside the range.</param>
+        /// <param name="outsideRange">How the robot is displayed while its state is <see cref="PoseState.OutsideRange"/>.</param>
         /// <param name="rewriteBeforeRender">
         /// Value of <see cref="RewriteBeforeRender"/>; true for a headset. Calibrate L_visu with the same setting.
         /// </param>
