@@ -107,7 +107,8 @@ public sealed partial class MessageCatalogueTests
         ["RobotMessages"] = ["OfRobot"],
         ["SessionMessages"] =
         [
-            "Description", "DescriptionUnusable", "FirstPositions", "PlausibleAgain", "Recording", "Stale", "Synchronised", "WithinRange",
+            "Description", "DescriptionUnusable", "FirstPositions", "NoRefreshesMissed", "PlausibleAgain", "Recording", "Stale", "Synchronised",
+            "WithinRange",
         ],
         ["SessionFileMessages"] = ["AtByte"],
         ["SignalMessages"] = ["ClockUnsynchronised", "NoConnection", "NoValue", "NotCurrent", "OlderThanConnection", "StampMismatch"],

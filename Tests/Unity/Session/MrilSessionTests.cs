@@ -22,17 +22,25 @@ public class MrilSessionTests
     public void Stop() => _cell.Dispose();
 
     [Test]
-    public void LateUpdate_FramesMissRefreshes_LogsTheRemedyOnce()
+    public void LateUpdate_FramesMissRefreshesTwice_LogsTheRemedyAndTheEndOfBoth()
     {
         var session = _cell.Play();
-        _cell.Run(2, session);
-        session.Session.Conditions = new DisplayConditions(displayHz: 120);
+        var states = new List<PoseState>();
 
-        _cell.Run(1, session);
+        foreach (var hertz in new[] { 60, 120, 60, 120, 60 })
+        {
+            session.Session.Conditions = new DisplayConditions(displayHz: hertz);
+            _cell.Run(2, session);
+            states.Add(session.Frame.State);
+        }
 
-        Assert.That(session.Frame.State, Is.EqualTo(PoseState.OutsideRange));
-        Assert.That(_cell.Messages.Count(m => m.Contains(SessionMessages.RefreshesMissed)), Is.EqualTo(1));
-        Assert.That(_cell.Messages, Has.None.Contains(SessionMessages.BeyondRange));
+        Assert.That(states, Is.EqualTo(new[]
+        {
+            PoseState.Current, PoseState.OutsideRange, PoseState.Current, PoseState.OutsideRange, PoseState.Current,
+        }));
+        Assert.That(_cell.Messages.Count(m => m.Contains(SessionMessages.RefreshesMissed)), Is.EqualTo(2));
+        Assert.That(_cell.Messages.Count(m => m.Contains(SessionMessages.NoRefreshesMissed)), Is.EqualTo(2));
+        Assert.That(_cell.Messages, Has.None.Contains(SessionMessages.BeyondRange).And.None.Contains(SessionMessages.WithinRange));
     }
 
     [Test]

@@ -44,7 +44,8 @@ namespace Nowpose.Unity
             + "is disabled.")]
         UnityEvent _onLost = new UnityEvent();
 
-        [SerializeField, Tooltip("Called when the render time has been in the constant-latency range for half a second.")]
+        [SerializeField, Tooltip("Called when the render time has been in the constant-latency range for half a second; without a calibrated range, "
+            + "when frames no longer miss refreshes.")]
         UnityEvent _onEnteredRange = new UnityEvent();
 
         [SerializeField, Tooltip("Called when the render time has left the constant-latency range, or frames miss refreshes: the "

@@ -82,11 +82,14 @@ namespace Nowpose.Latency
         /// </summary>
         public TimeSpan? RefreshInterval { get; set; }
 
+        /// <summary>Whether frames miss refreshes. <see cref="State"/> is then outside at any render time.</summary>
+        public bool MissesRefreshes => _frameTimes.IsBeyond == true;
+
         public RangeState State
         {
             get
             {
-                if (_frameTimes.IsBeyond == true) return RangeState.Outside;
+                if (MissesRefreshes) return RangeState.Outside;
                 if (_range == null || _renderTimes.IsBeyond == null) return RangeState.Unknown;
                 if (_renderTimes.IsBeyond == false) return RangeState.Inside;
                 return _range.IsLimitReached ? RangeState.Outside : RangeState.Unknown;
@@ -98,7 +101,7 @@ namespace Nowpose.Latency
         {
             get
             {
-                if (_frameTimes.IsBeyond == true) return RangeUnknownReason.LowFrameRate;
+                if (MissesRefreshes) return RangeUnknownReason.LowFrameRate;
                 if (State != RangeState.Unknown) return RangeUnknownReason.None;
                 if (_range == null) return _renderTimes.IsBeyond == true ? RangeUnknownReason.LongerThanRefresh : RangeUnknownReason.NoLimit;
                 if (Source == RenderTimeSourceKind.None) return RangeUnknownReason.NoRenderTime;

@@ -57,9 +57,13 @@ namespace Nowpose.Session
         internal bool IsSettledLimitedByBase { get; private set; }
 
         /// <summary>
-        /// Whether the render time of the previous frames is in the constant-latency range. Only in this range is the display time known.
+        /// Whether the render time of the previous frames is in the constant-latency range, and they missed no refreshes. Only then is the
+        /// display time known.
         /// </summary>
         public RangeState Range { get; private set; }
+
+        /// <inheritdoc cref="DisplayMoment.MissesRefreshes"/>
+        internal bool MissesRefreshes { get; private set; }
 
         /// <summary>Reason why the error of this frame cannot be measured, see <see cref="Hindcast.ErrorWithheldReason"/>.</summary>
         internal ErrorWithheldReason ErrorWithheld { get; private set; }
@@ -101,6 +105,7 @@ namespace Nowpose.Session
             ClockError = moment.Clock.EstimatedError;
             IsLast = moment.IsLast;
             Range = moment.Range;
+            MissesRefreshes = moment.MissesRefreshes;
             ErrorWithheld = moment.ErrorWithheld;
             IsDisplayTimeInconsistent = moment.IsInconsistent;
             IsDisplayTimeImplausible = moment.IsImplausible;

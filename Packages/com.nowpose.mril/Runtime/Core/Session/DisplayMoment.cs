@@ -24,6 +24,7 @@ namespace Nowpose.Session
             IsInconsistent = selector.IsInconsistent;
             IsImplausible = selector.IsImplausible;
             Range = renderTimes.State;
+            MissesRefreshes = renderTimes.MissesRefreshes;
             ErrorWithheld = WithheldErrors.ReasonOf(renderTimes, selector.IsPredicted);
         }
 
@@ -42,9 +43,13 @@ namespace Nowpose.Session
         public bool IsLast { get; }
 
         /// <summary>
-        /// Whether the render time of the previous frames is in the constant-latency range. Only in this range is the display time known.
+        /// Whether the render time of the previous frames is in the constant-latency range, and they missed no refreshes. Only then is the
+        /// display time known.
         /// </summary>
         public RangeState Range { get; }
+
+        /// <inheritdoc cref="ConstantLatencyMonitor.MissesRefreshes"/>
+        public bool MissesRefreshes { get; }
 
         /// <summary>See <see cref="DisplayFrame.ErrorWithheld"/>.</summary>
         public ErrorWithheldReason ErrorWithheld { get; }

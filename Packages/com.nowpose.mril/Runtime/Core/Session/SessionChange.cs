@@ -19,12 +19,14 @@ namespace Nowpose.Session
 
         /// <summary>
         /// The render time has been in the constant-latency range for half a second, for the first time or after
+        /// <see cref="LeftRange"/>. Without a calibrated range: frames have not missed refreshes of the display for half a second, after
         /// <see cref="LeftRange"/>.
         /// </summary>
         EnteredRange = 4,
 
         /// <summary>
-        /// The render time is beyond the constant-latency range, so poses are displayed after the time for which they are computed.
+        /// The render time is beyond the constant-latency range, or frames miss refreshes of the display, so poses are displayed after the time for
+        /// which they are computed.
         /// </summary>
         LeftRange = 8,
 

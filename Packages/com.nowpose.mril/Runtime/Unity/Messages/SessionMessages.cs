@@ -17,6 +17,7 @@ namespace Nowpose.Unity.Messages
         public const string Synchronised = "clock synchronised";
         public const string SynchronisationLost = "clock synchronisation lost; poses are not current; check the network and the gateway";
         public const string WithinRange = "render time within the constant-latency range";
+        public const string NoRefreshesMissed = "frames no longer miss refreshes of the display";
         public const string BeyondRange =
             "render time beyond the constant-latency range; poses are late by an unknown time; reduce the load of the scene";
 

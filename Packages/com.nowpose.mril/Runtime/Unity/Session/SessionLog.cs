@@ -57,7 +57,7 @@ namespace Nowpose.Unity.Session
             if ((change & SessionChange.Lost) != 0)
                 Debug.LogWarning(ConsoleLog.Prefix + SessionMessages.SynchronisationLost, _context);
             if ((change & SessionChange.EnteredRange) != 0)
-                Debug.Log(ConsoleLog.Prefix + SessionMessages.WithinRange, _context);
+                Debug.Log(ConsoleLog.Prefix + ReasonInside(statistics), _context);
             if ((change & SessionChange.LeftRange) != 0)
                 Debug.LogWarning(ConsoleLog.Prefix + ReasonOutside(statistics), _context);
             if ((change & SessionChange.DisplayTimeInconsistent) != 0) LogDifference(session, statistics);
@@ -66,6 +66,9 @@ namespace Nowpose.Unity.Session
                 Debug.Log(ConsoleLog.Prefix + SessionMessages.PlausibleAgain, _context);
             if ((change & SessionChange.Stale) != 0) Warn(SessionMessages.Stale(MissingJointsOf(statistics)));
         }
+
+        static string ReasonInside(SessionStatistics statistics) =>
+            statistics?.Range == RangeState.Unknown ? SessionMessages.NoRefreshesMissed : SessionMessages.WithinRange;
 
         static string ReasonOutside(SessionStatistics statistics) =>
             statistics?.RangeUnknownReason == RangeUnknownReason.LowFrameRate ? SessionMessages.RefreshesMissed : SessionMessages.BeyondRange;

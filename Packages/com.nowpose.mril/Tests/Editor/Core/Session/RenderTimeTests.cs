@@ -90,6 +90,25 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
+        public void Tick_FramesMissRefreshesTwiceWithoutRange_EachEpisodeIsReportedWithItsEnd()
+        {
+            const SessionChange ofRange = SessionChange.LeftRange | SessionChange.EnteredRange;
+            var (simulated, watch, changes) = (Session(null), new SessionWatch(), new List<SessionChange>());
+            simulated.Session.Conditions = new DisplayConditions(displayHz: 60);
+            simulated.Run(10);
+
+            foreach (var refreshes in new[] { 1, 2, 1, 2, 1 })
+            {
+                simulated.FrameSeconds = refreshes / 60.0;
+                simulated.Run(2, (frame, light) => changes.Add(watch.Changed(frame) & ofRange));
+            }
+
+            Assert.That(
+                changes.Where(change => change != SessionChange.None),
+                Is.EqualTo(new[] { SessionChange.LeftRange, SessionChange.EnteredRange, SessionChange.LeftRange, SessionChange.EnteredRange }));
+        }
+
+        [Test]
         public void Tick_RefreshRateUnknown_PoseStaysCurrentAtAnyFrameRate()
         {
             var simulated = Session(Range);

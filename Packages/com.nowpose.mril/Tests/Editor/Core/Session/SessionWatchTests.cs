@@ -42,20 +42,28 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(PoseChanges(new SessionWatch(), frames), Is.EqualTo(expected));
         }
 
-        // Ranges: ? unknown, i inside, o outside.
-        [TestCase("??", "", TestName = "Changed_RangeUnknown_ReportsNothing")]
-        [TestCase("?I", "EnteredRange", TestName = "Changed_InsideForHalfASecond_ReportsEnteredRange")]
-        [TestCase("?o", "LeftRange", TestName = "Changed_OutsideFromTheStart_ReportsLeftRange")]
+        // Ranges: u unknown, i inside, o outside because of the render time, m outside because frames miss refreshes.
+        [TestCase("uu", "", TestName = "Changed_RangeUnknown_ReportsNothing")]
+        [TestCase("uI", "EnteredRange", TestName = "Changed_InsideForHalfASecond_ReportsEnteredRange")]
+        [TestCase("uo", "LeftRange", TestName = "Changed_OutsideFromTheStart_ReportsLeftRange")]
         [TestCase("IoOII", "EnteredRange LeftRange EnteredRange", TestName = "Changed_LoadComesAndGoes_ReportsEachChangeOfRange")]
         [TestCase("Ioioiiiooi", "EnteredRange LeftRange", TestName = "Changed_RangeFlickers_ReportsLeftRangeOnce")]
-        [TestCase("I???I", "EnteredRange", TestName = "Changed_RangeTemporarilyUnknown_ReportsNothing")]
-        [TestCase("O?iiii?iiii?iiii", "LeftRange", TestName = "Changed_RangeRepeatedlyUnknown_ReportsNoReturn")]
+        [TestCase("IuuuI", "EnteredRange", TestName = "Changed_RangeTemporarilyUnknown_ReportsNothing")]
+        [TestCase("OuiiiiuiiiiuiiiiU", "LeftRange", TestName = "Changed_RangeRepeatedlyUnknown_ReportsNoReturn")]
+        [TestCase("UMUMU", "LeftRange EnteredRange LeftRange EnteredRange", TestName = "Changed_FramesMissRefreshesTwice_ReportsBothEpisodes")]
+        [TestCase("IMIMU", "EnteredRange LeftRange EnteredRange LeftRange EnteredRange",
+            TestName = "Changed_FramesMissRefreshesInRange_ReportsEachChange")]
+        [TestCase("UMumuuumumm", "LeftRange", TestName = "Changed_MissedRefreshesFlicker_ReportsLeftRangeOnce")]
+        [TestCase("MOU", "LeftRange", TestName = "Changed_RenderTimeBeyondTheLimitAfterMissedRefreshes_ReportsNoReturn")]
         public void Changed_Ranges_ReportsTheExpectedChanges(string frames, string expected)
         {
             var watch = new SessionWatch();
 
             var changes = Run(frames, (frame, letter) =>
-                watch.Changed(At(frame), PoseState.Incomplete, false, (RangeState)"?io".IndexOf(letter)));
+            {
+                var range = letter == 'm' ? RangeState.Outside : (RangeState)"uio".IndexOf(letter);
+                return watch.Changed(At(frame), PoseState.Incomplete, false, range, missesRefreshes: letter == 'm');
+            });
 
             Assert.That(changes, Is.EqualTo(expected));
         }
