@@ -12,6 +12,8 @@ namespace Nowpose.Sync
     /// widens the bound, makes the clock converging, and restarts the line when three exchanges agree, or five for a correction.</item>
     /// <item><see cref="OffsetShiftWatch"/> with two <see cref="OffsetShift"/>: steps below a round-trip time, from 15 exchanges. Bound and estimated
     /// error include the suspected step; the line restarts when it is confirmed.</item>
+    /// <item><see cref="FastSlewDetector"/>: steps of the first two that are a fast slew. It makes the clock converging until 10 s after the last one.
+    /// </item>
     /// <item><see cref="MinDelay"/>, one for each direction: a path that has become longer or shorter. It corrects the measured bounds and increases
     /// the error of the line.</item>
     /// <item><see cref="OffsetMemory"/>: an offset that has moved away from its extrapolation over 30 s. It increases the error of the line.</item>
@@ -30,14 +32,6 @@ namespace Nowpose.Sync
         const int SuspectsToConverge = 2;
 
         /// <summary>
-        /// StepsOfSlew: number of steps, each within SlewPause of the previous one, that show a slew faster than the skew of any clock. A line through a
-        /// second of such a slew is wrong by more than its bound a second later. The state is then converging until SlewPause without a step.
-        /// </summary>
-        const int StepsOfSlew = 3;
-
-        static readonly TimeSpan SlewPause = TimeSpan.FromSeconds(10);
-
-        /// <summary>
         /// Standard deviations of the change of the skew, dimensionless. SkewUncertaintyOfSameClocks: the resolution of a clock changed, or the server
         /// corrected it. SkewUncertaintyAfterStep: another machine may provide the control clock, or a small step may be the start of a slew.
         /// SkewUncertaintyAfterSilence: after a long time without exchanges, the headset may have slept and cooled down.
@@ -49,10 +43,9 @@ namespace Nowpose.Sync
         readonly ClockSettings _settings;
         readonly ClockStepDetector _detector;
         readonly OffsetEnvelope _envelope;
+        readonly FastSlewDetector _slew = new FastSlewDetector();
         readonly ErrorThreshold _coarse, _synchronised;
         SyncExchange? _newest;
-        HeadsetTime _lastStep;
-        int _stepsInRow;
         volatile Estimate _estimate = Estimate.None;
 
         public ClockSynchroniser(IClockEstimator estimator, ClockSettings settings)
@@ -167,12 +160,7 @@ namespace Nowpose.Sync
             _envelope.Reset();
             foreach (var suspect in _detector.Suspects) Use(suspect);
             _detector.Reset();
-            if (stepped)
-            {
-                _stepsInRow = exchange.T4 - _lastStep <= SlewPause ? _stepsInRow + 1 : 1;
-                _lastStep = exchange.T4;
-            }
-
+            if (stepped) _slew.Add(_estimator.Line);
             Publish(exchange, stepped);
         }
 
@@ -211,7 +199,7 @@ namespace Nowpose.Sync
             var bound = (suspected > proven ? suspected : proven) + _detector.Suspicion;
             var error = IsStepProbable ? bound : EstimatedError(line, proven) + _detector.Suspicion;
             _estimate = new Estimate(
-                line, StateOf(line, error, exchange.ServerSynchronised && !IsSlewed(exchange.T4)), bound, error, exchange.RoundTripTime,
+                line, StateOf(line, error, exchange.ServerSynchronised && !_slew.IsSlewedAt(exchange.T4)), bound, error, exchange.RoundTripTime,
                 exchange.Resolution, _estimate.Steps + (stepped ? 1 : 0), _detector.Suspects.Count > 0 || _detector.Suspicion > TimeSpan.Zero);
         }
 
@@ -221,8 +209,6 @@ namespace Nowpose.Sync
             var likely = new TimeSpan(3 * line.OffsetError.Ticks) + _estimator.PathChangeError + _envelope.ServerErrorBound();
             return likely > proven ? proven : likely;
         }
-
-        bool IsSlewed(HeadsetTime now) => _stepsInRow >= StepsOfSlew && now - _lastStep <= SlewPause;
 
         ClockState StateOf(in ClockLine line, TimeSpan error, bool isReliable)
         {

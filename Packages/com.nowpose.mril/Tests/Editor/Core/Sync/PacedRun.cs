@@ -29,7 +29,7 @@ namespace Nowpose.Tests.Core.Sync
 
         public ClockSynchroniser Clock { get; } = new ClockSynchroniser(new DefaultClockEstimator(), ClockSettings.Default);
         public List<(double At, double PauseMs)> Exchanges { get; } = new List<(double, double)>();
-        public List<(double At, double ErrorMs, double BoundMs)> Errors { get; } = new List<(double, double, double)>();
+        public List<(double At, double ErrorMs, double BoundMs, bool IsTrusted)> Errors { get; } = new List<(double, double, double, bool)>();
 
         public void Run(SimulatedLink link, double until)
         {
@@ -47,7 +47,8 @@ namespace Nowpose.Tests.Core.Sync
                 {
                     var at = HeadsetTime.FromSeconds(s);
                     var model = Clock.ModelAt(at);
-                    Errors.Add((s, (model.OffsetAt(at) - link.TrueOffset(at)).TotalMilliseconds, model.ErrorBound.TotalMilliseconds));
+                    var error = model.OffsetAt(at) - link.TrueOffset(at);
+                    Errors.Add((s, error.TotalMilliseconds, model.ErrorBound.TotalMilliseconds, ClockSettings.Default.Trusts(model)));
                 }
                 _now = next;
             }
