@@ -5,7 +5,7 @@ export const glossary: Record<string, string> = {
   skew: 'Difference of the rates of the two clocks; positive when the headset clock runs faster',
   'round-trip time': 'Duration of an exchange minus the time at the gateway',
   'clock estimator': 'Computes offset and skew from the exchanges',
-  'error bound': 'Limit that the error of the offset cannot exceed, proven from the exchanges',
+  'error bound': 'Limit of the error of the offset while the skew changes by less than 10 ppm within a minute',
   'sampling interval': 'Time between two samples',
   'application latency, L_app': 'Control time at which a sample arrives on the headset, minus its time stamp',
   'visualisation latency, L_visu': 'Time from the start of a frame’s render job until its light reaches the eye',
