@@ -8,7 +8,8 @@ export const glossary: Record<string, string> = {
   'error bound': 'Limit of the error of the offset while the skew changes by less than 10 ppm within a minute',
   'sampling interval': 'Time between two samples',
   'application latency, L_app': 'Control time at which a sample arrives on the headset, minus its time stamp',
-  'visualisation latency, L_visu': 'Time from the start of a frame’s render job until its light reaches the eye',
+  'visualisation latency, L_visu':
+    'Time from the computation of a frame’s pose, in the paper from the start of its render job (Fig. 10), until its light reaches the eye',
   'end-to-end latency, L': 'Time from the time stamp of a sample to the display time that shows it',
   'display time': 'Time at which the frame being built becomes visible',
   'render time': 'Duration of the last frame’s render job',
