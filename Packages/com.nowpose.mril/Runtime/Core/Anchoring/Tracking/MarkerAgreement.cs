@@ -44,16 +44,17 @@ namespace Nowpose.Anchoring.Tracking
         public static MarkerAgreement Of(IReadOnlyList<MarkerEstimate> markers, AnchoringSettings settings)
         {
             var all = BaseFit.Of(markers);
-            var worst = Worst(markers, all, -1, settings);
-            if (worst <= 1) return new MarkerAgreement(true, -1, all, 0, 0);
-            if (markers.Count > 2)
+            var isEachGood = WorstMisfit(markers, all, -1, settings) <= 1;
+            if (isEachGood && CommonTurn(markers, all, -1, settings) <= 1) return new MarkerAgreement(true, -1, all, 0, 0);
+            // If only the common turn is too large, either the position of one marker or the angles of all markers may be wrong.
+            if (!isEachGood && markers.Count > 2)
             {
                 int wrong = -1;
                 var (min, fitted) = (double.PositiveInfinity, all);
                 for (var i = 0; i < markers.Count; i++)
                 {
                     var others = BaseFit.Of(markers, without: i);
-                    var rest = Worst(markers, others, i, settings);
+                    var rest = Math.Max(WorstMisfit(markers, others, i, settings), CommonTurn(markers, others, i, settings));
                     if (rest < min) (min, wrong, fitted) = (rest, i, others);
                 }
                 if (min <= 1)
@@ -72,12 +73,19 @@ namespace Nowpose.Anchoring.Tracking
             return new MarkerAgreement(false, -1, all, metres, radians);
         }
 
-        /// <summary>Returns the maximum misfit relative to the allowed misfit.</summary>
-        static double Worst(IReadOnlyList<MarkerEstimate> markers, in RigidTransform fitted, int without, AnchoringSettings settings)
+        /// <summary>Returns the common turn of the prints relative to the allowed turn.</summary>
+        static double CommonTurn(IReadOnlyList<MarkerEstimate> markers, in RigidTransform fitted, int without, AnchoringSettings settings)
         {
-            // The tilts of prints are independent of each other, so their mean is smaller than each of them.
-            var count = without < 0 ? markers.Count : markers.Count - 1;
-            var worst = BaseFit.CommonTurn(fitted, markers, without) * Math.Sqrt(count) / (AngleFactor * settings.ToleranceRadians);
+            // The tilts of prints are independent of each other, so their mean is smaller than each of them. An error that the device makes in all angles
+            // is not, so the limit does not decrease further with the count.
+            var count = Math.Min(without < 0 ? markers.Count : markers.Count - 1, 3);
+            return BaseFit.CommonTurn(fitted, markers, without) * Math.Sqrt(count) / (AngleFactor * settings.ToleranceRadians);
+        }
+
+        /// <summary>Returns the maximum misfit of a single marker relative to the allowed misfit.</summary>
+        static double WorstMisfit(IReadOnlyList<MarkerEstimate> markers, in RigidTransform fitted, int without, AnchoringSettings settings)
+        {
+            double worst = 0;
             for (var i = 0; i < markers.Count; i++)
             {
                 if (i == without) continue;

@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
 using NUnit.Framework;
@@ -64,7 +65,8 @@ namespace Nowpose.Tests.Core.Anchoring
             }
         }
 
-        // Three positions always determine a plane, so that such an error leaves no misfit. The angles of all prints then contradict the plane.
+        // Three positions always determine a plane, so that such an error leaves no misfit. The angles of all prints then contradict the plane, which
+        // does not show whether one position or all angles are wrong.
         [TestCase(0, 0.006)]
         [TestCase(0, 0.008)]
         [TestCase(0.012, 0)]
@@ -78,10 +80,52 @@ namespace Nowpose.Tests.Core.Anchoring
 
                 cell.Run(4);
 
+                Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Searching), "seed " + seed);
+                Assert.That(cell.Tracker.Conflict?.Radians, Is.GreaterThan(0.02), "seed " + seed);
+                Assert.That(cell.Tracker.Markers.Any(marker => marker.IsContradicted), Is.False, "seed " + seed);
+            }
+        }
+
+        // A larger error exceeds the tolerance of a single print. Only the other two markers then agree.
+        [Test]
+        public void Tick_LargeOffsetErrorThatTurnsTheBase_LocksWithTheOthersAndNamesTheMarker()
+        {
+            for (var seed = 1; seed <= 10; seed++)
+            {
+                var cell = SimulatedMarkers.Three(seed);
+                cell.Noisy();
+                cell.Shifted["a"] = RigidTransform.FromXyzRpy(0.1732, 0, 0.012, 0, 0, 0.4);
+
+                cell.Run(4);
+
                 Assert.That(cell.Tracker.Conflict?.Marker.Payload, Is.EqualTo("a"), "seed " + seed);
-                Assert.That(cell.Tracker.Conflict.Metres, Is.EqualTo(y + z).Within(0.002), "seed " + seed);
+                Assert.That(cell.Tracker.Conflict.Metres, Is.EqualTo(0.012).Within(0.002), "seed " + seed);
                 Assert.That(cell.Tracker.Lock.Markers, Is.EqualTo(2), "seed " + seed);
                 Assert.That(cell.ErrorAt(0.6).Metres, Is.LessThan(0.004), "seed " + seed);
+            }
+        }
+
+        // A device may measure the angles of all prints wrongly in the same way, for example because it sees all of them from one side.
+        [TestCase(3, 1.0, true)]
+        [TestCase(3, 1.4, false)]
+        [TestCase(3, 1.7, false)]
+        [TestCase(6, 1.0, true)]
+        [TestCase(6, 1.4, false)]
+        [TestCase(6, 1.7, false)]
+        public void Tick_CommonErrorOfAllAngles_ExcludesNoMarker(int count, double degrees, bool isLocked)
+        {
+            for (var seed = 1; seed <= 20; seed++)
+            {
+                var cell = SimulatedMarkers.Ring(count, seed);
+                (cell.NoiseMetres, cell.NoiseDegrees) = (0.002, 0.5);
+                cell.CommonTurn = PoseNumbers.Turn(degrees * Math.PI / 180, 0, 0);
+
+                cell.Run(4);
+
+                Assert.That(cell.Tracker.Markers.Any(marker => marker.IsContradicted), Is.False, "seed " + seed);
+                Assert.That(cell.Tracker.Lock?.Markers, Is.EqualTo(isLocked ? count : (int?)null), "seed " + seed);
+                Assert.That(cell.Tracker.Conflict == null, Is.EqualTo(isLocked), "seed " + seed);
+                if (isLocked) Assert.That(cell.ErrorAt().Metres, Is.LessThan(0.002), "seed " + seed);
             }
         }
 

@@ -42,6 +42,9 @@ namespace Nowpose.Tests.Core.Anchoring
         /// <summary>RMS of the constant angle error of the markers' prints, in degrees.</summary>
         public double PrintDegrees { get; set; }
 
+        /// <summary>Turn, in the base frame, that the device adds to the rotations of all prints.</summary>
+        public RigidTransform CommonTurn { get; set; } = RigidTransform.Identity;
+
         public FakeAnchors Anchors { get; set; }
         public RigidTransform? Head { get; set; } = RigidTransform.FromXyzRpy(1.2, -0.4, 0.3, 0, Math.PI / 2, 0);
         public double Seconds => _frame * FrameSeconds;
@@ -76,6 +79,20 @@ namespace Nowpose.Tests.Core.Anchoring
                 ("a", RigidTransform.FromXyzRpy(offsetMetres + radius, 0, 0, 0, 0, 0.4)),
                 ("b", RigidTransform.FromXyzRpy(offsetMetres - radius / 2, 0.15, 0, 0, 0, 2)),
                 ("c", RigidTransform.FromXyzRpy(offsetMetres - radius / 2, -0.15, 0, 0, 0, -1)));
+            return cell;
+        }
+
+        /// <summary>Creates a base with markers on a circle around it, all with the same rotation.</summary>
+        public static SimulatedMarkers Ring(int count, int seed)
+        {
+            var cell = new SimulatedMarkers(seed);
+            var (markers, radius) = (new (string, RigidTransform)[count], 0.3 / Math.Sqrt(3));
+            for (var i = 0; i < count; i++)
+            {
+                var angle = 2 * Math.PI * i / count;
+                markers[i] = ("m" + i, RigidTransform.FromXyzRpy(radius * Math.Cos(angle), radius * Math.Sin(angle), 0, 0, 0, 0));
+            }
+            cell.Use(markers);
             return cell;
         }
 
@@ -150,7 +167,8 @@ namespace Nowpose.Tests.Core.Anchoring
             if (!_turned.TryGetValue(marker.Payload, out var turned)) _turned[marker.Payload] = turned = Noise(0, PrintDegrees);
             var inBase = Shifted.TryGetValue(marker.Payload, out var shifted) ? shifted : marker.MarkerInBase;
             var noise = _random.NextDouble() < OutlierShare ? Noise(0.1, 30) : Noise(NoiseMetres, NoiseDegrees);
-            _seen[marker.Payload] = Base * inBase * turned * noise;
+            var place = CommonTurn.MovedTo(inBase.X, inBase.Y, inBase.Z) * inBase.MovedTo(0, 0, 0);
+            _seen[marker.Payload] = Base * place * turned * noise;
             _times[marker.Payload] = Now;
         }
 
