@@ -106,6 +106,7 @@ namespace Nowpose.Anchoring
         /// <summary>Whether markers are compared with their expected poses.</summary>
         bool IsWatching => IsKnown && !_place.IsLost;
         bool IsLost => IsKnown && _place.IsLost;
+        bool IsLockedByHand => Lock?.Markers == 0;
         bool IsKnown => Base.HasValue && (_state == BaseAnchorState.Locked || _state == BaseAnchorState.Restored || _state == BaseAnchorState.Moved);
 
         /// <summary>Replaces the cell and the markers.</summary>
@@ -136,7 +137,7 @@ namespace Nowpose.Anchoring
         {
             if (_markers.Count > 0)
             {
-                var former = IsKnown ? new RelockedFrom(_state, _isHeldByHand, _now) : _former;
+                var former = IsKnown ? new RelockedFrom(_state, _now) : _former;
                 Begin();
                 _former = former;
             }
@@ -274,7 +275,7 @@ namespace Nowpose.Anchoring
         void Return(RelockedFrom former)
         {
             _state = Lock == null ? BaseAnchorState.Restored : former.State == BaseAnchorState.Moved ? BaseAnchorState.Locked : former.State;
-            _isHeldByHand = Lock != null && former.IsHeldByHand;
+            _isHeldByHand = IsLockedByHand;
             _former = null;
         }
 

@@ -14,17 +14,13 @@ namespace Nowpose.Anchoring.Tracking
 
         HeadsetTime _since, _last;
 
-        public RelockedFrom(BaseAnchorState state, bool isHeldByHand, HeadsetTime since)
+        public RelockedFrom(BaseAnchorState state, HeadsetTime since)
         {
             State = state;
-            IsHeldByHand = isHeldByHand;
             _since = _last = since;
         }
 
         public BaseAnchorState State { get; }
-
-        /// <summary>Whether the base was placed by hand before the search.</summary>
-        public bool IsHeldByHand { get; }
 
         /// <summary>Processes one frame of the search.</summary>
         /// <returns>Whether no marker has been in view for <see cref="SearchTimeout"/>.</returns>

@@ -107,6 +107,42 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(Tracker.Base.Value.DistanceTo(_cell.Base), Is.LessThan(1e-9));
         }
 
+        // The search has released the markers of the lock, so all markers in view are compared with the base, and lock it again.
+        [Test]
+        public void Relock_NudgedAndNoMarkerInView_MonitorsTheMarkersAgain()
+        {
+            Lock();
+            Tracker.Nudge(Tracker.Base.Value * Shift(0.003));
+            _cell.IsInView = _ => false;
+            Tracker.Relock();
+            _cell.Run(20);
+            Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Locked));
+
+            _cell.Base = Shift(0.3) * _cell.Base;
+            _cell.IsInView = _ => true;
+            _cell.Run(1);
+
+            Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Moved));
+        }
+
+        [Test]
+        public void Relock_LockedByHandAndNoMarkerInView_StaysLockedByHand()
+        {
+            Lock();
+            _cell.Base = Shift(0.02) * _cell.Base;
+            _cell.Run(1);
+            var nudged = Nudge();
+            _cell.IsInView = _ => false;
+            Tracker.Relock();
+            _cell.Run(20);
+
+            _cell.IsInView = _ => true;
+            _cell.Run(4);
+
+            Assert.That((Tracker.State, Tracker.Words), Is.EqualTo((BaseAnchorState.Locked, BaseStatusMessages.Placed)));
+            Assert.That(Tracker.Base.Value.DistanceTo(nudged), Is.LessThan(1e-9));
+        }
+
         [Test]
         public void Nudge_RestoredWithoutMarkers_IsHeldAtTheNewPose()
         {
