@@ -130,18 +130,18 @@ namespace Nowpose.Anchoring
 
         /// <summary>Starts a new search with the markers. The base stays in its position until the markers have determined a new position.</summary>
         /// <remarks>
-        /// If no marker comes into view for a long time, the previous lock is restored. Without any markers, the method confirms a position that was
-        /// restored from an earlier run.
+        /// If no marker comes into view for a long time, the previous lock is restored. If no marker can confirm a restored position, because there are
+        /// no markers or the base was locked by hand, the method confirms this position.
         /// </remarks>
         public void Relock()
         {
-            if (_markers.Count > 0)
+            if (State == BaseAnchorState.Restored && (_markers.Count == 0 || IsLockedByHand)) Take(LockReport.ByHand(Base.Value), isByHand: true);
+            else if (_markers.Count > 0)
             {
                 var former = IsKnown ? new RelockedFrom(_state, _now) : _former;
                 Begin();
                 _former = former;
             }
-            else if (State == BaseAnchorState.Restored) Take(LockReport.ByHand(Base.Value), isByHand: true);
             _words.Update(this, _now);
         }
 

@@ -62,6 +62,7 @@ namespace Nowpose.Messages
             (hasMarkers ? "restored from an earlier run: look at a marker to confirm it" : "restored from an earlier run: lock it to confirm it")
             + Because(problem);
 
+        /// <param name="hasMarkers">Whether markers are part of the lock.</param>
         public static string Unconfirmed(int mm, string degrees, bool hasMarkers, string problem) =>
             $"the headset has moved the base by {mm} mm, {degrees}°: "
             + (hasMarkers ? "look at a marker to confirm it, or lock again" : "compare it with the robot, and lock it to confirm it") + Because(problem);

@@ -124,7 +124,7 @@ namespace Nowpose.Anchoring.Tracking
                 case Kind.Conflict: return BaseStatusMessages.Conflict(Name(subject.First), Name(subject.Second), off);
                 case Kind.Alternates: return BaseStatusMessages.Alternates(Name(subject.First));
                 case Kind.Unconfirmed:
-                    return BaseStatusMessages.Unconfirmed(subject.A, Number(subject.B / 10.0, "0.0"), tracker.Markers.Count > 0, tracker.Problem);
+                    return BaseStatusMessages.Unconfirmed(subject.A, Number(subject.B / 10.0, "0.0"), tracker.Lock.Markers > 0, tracker.Problem);
                 case Kind.Scatters: return BaseStatusMessages.Scatters(Name(subject.First), off);
                 case Kind.Gathers: return BaseStatusMessages.Gathers(subject.A, tracker.Markers.Count);
                 case Kind.Ignored: return Name(subject.First) + " " + WhyIgnored((SightingFault)subject.Count);

@@ -64,6 +64,27 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Restored));
         }
 
+        // The markers are not part of the lock, so they cannot confirm it.
+        [Test]
+        public void Relock_LargeCorrectionOfALockByHand_ConfirmsTheBase([Values] bool isInView)
+        {
+            Lock();
+            _cell.Base = Shift(0.05) * _cell.Base;
+            _cell.Run(1);
+            Tracker.Nudge(_cell.Base);
+            _cell.Base = Shift(0.03) * _cell.Base;
+            Correct(Shift(0.03), isInView);
+            Assert.That((Tracker.State, Tracker.Words), Is.EqualTo(
+                (BaseAnchorState.Restored, BaseStatusMessages.Unconfirmed(30, "0.0", hasMarkers: false, null))));
+            var corrected = Tracker.Base.Value;
+
+            Tracker.Relock();
+            _cell.Run(1);
+
+            Assert.That((Tracker.State, Tracker.Words), Is.EqualTo((BaseAnchorState.Locked, BaseStatusMessages.Placed)));
+            Assert.That(Tracker.Base.Value.DistanceTo(corrected), Is.EqualTo(0));
+        }
+
         [Test]
         public void Relock_LargeCorrectionWithoutMarkers_ConfirmsTheBase()
         {
