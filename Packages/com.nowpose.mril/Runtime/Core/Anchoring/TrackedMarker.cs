@@ -17,6 +17,12 @@ namespace Nowpose.Anchoring
         /// <summary>Minimum share of the poses that agree. If fewer agree, the source may report two poses in turn, of which one is wrong.</summary>
         const double MinInlierShare = 0.75;
 
+        /// <summary>
+        /// Maximum share of the poses of a half that agree, if poses alternate. One step of the poses, for example by a correction of the map, leaves
+        /// the outliers of the device only in one half.
+        /// </summary>
+        const double MaxInlierShareOfAlternation = 0.85;
+
         /// <summary>Maximum age of sightings. Older sightings may show the marker in another position.</summary>
         static readonly TimeSpan MaxAge = TimeSpan.FromSeconds(15);
 
@@ -193,7 +199,8 @@ namespace Nowpose.Anchoring
             var count = Math.Max(_window.CountOver(_settings.Settle), MinSightings);
             if (!IsReady) return false;
             _mean = PoseMean.Of(_window, count, space);
-            if (_mean.Value.InlierShare < MinInlierShare && !IsMoving) _alternated = _window.Newest;
+            var isMixed = _mean.Value.InlierShare < MinInlierShare && _mean.Value.InlierShareOfBetterHalf < MaxInlierShareOfAlternation;
+            if (isMixed && !IsMoving) _alternated = _window.Newest;
             var all = _window.CountSince(_window.Newest - MaxAge);
             if (!IsExact(_mean.Value) && all > count + MinSightings) _mean = PoseMean.Of(_window, all, space);
             var mean = _mean.Value;

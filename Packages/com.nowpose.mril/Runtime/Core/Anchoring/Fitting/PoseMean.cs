@@ -30,13 +30,15 @@ namespace Nowpose.Anchoring.Fitting
         readonly double _shiftMetres, _shiftRadians;
 
         PoseMean(
-            in RigidTransform pose, int inliers, double share, double spreadMetres, double spreadRadians, double shiftMetres, double shiftRadians)
+            in RigidTransform pose, int inliers, double share, double shareOfBetterHalf, double spreadMetres, double spreadRadians, double shiftMetres,
+            double shiftRadians)
         {
             _shiftMetres = shiftMetres;
             _shiftRadians = shiftRadians;
             Pose = pose;
             Inliers = inliers;
             InlierShare = share;
+            InlierShareOfBetterHalf = shareOfBetterHalf;
             SpreadMetres = spreadMetres;
             SpreadRadians = spreadRadians;
         }
@@ -46,6 +48,11 @@ namespace Nowpose.Anchoring.Fitting
 
         /// <summary>Fraction of the poses that are not outliers.</summary>
         public double InlierShare { get; }
+
+        /// <summary>
+        /// The larger of the inlier fractions of the older and of the newer half. After one step of the poses, one half contains most outliers.
+        /// </summary>
+        public double InlierShareOfBetterHalf { get; }
 
         /// <summary>Root mean square of the distances from the mean, m.</summary>
         public double SpreadMetres { get; }
@@ -101,12 +108,13 @@ namespace Nowpose.Anchoring.Fitting
 
         static PoseMean Measured(PoseWindow window, int count, double[] weights, in RigidTransform mean)
         {
-            var inliers = 0;
+            var (inliers, newer) = (0, 0);
             double metres = 0, radians = 0;
             for (var i = 0; i < count; i++)
             {
                 if (weights[i] == 0) continue;
                 inliers++;
+                if (i < count / 2) newer++;
                 double distance = window.PoseOf(i).DistanceTo(mean), angle = window.PoseOf(i).AngleTo(mean);
                 metres += distance * distance;
                 radians += angle * angle;
@@ -114,8 +122,9 @@ namespace Nowpose.Anchoring.Fitting
             // The mean was computed from the same poses, so the scatter has one degree of freedom fewer in each direction.
             var free = Math.Max(inliers - 1, 1);
             var (shiftMetres, shiftRadians) = Shift(window, count, weights, mean, inliers);
+            var better = Math.Max((double)newer / Math.Max(count / 2, 1), (double)(inliers - newer) / (count - count / 2));
             return new PoseMean(
-                mean, inliers, (double)inliers / count, Math.Sqrt(metres / free), Math.Sqrt(radians / free), shiftMetres, shiftRadians);
+                mean, inliers, (double)inliers / count, better, Math.Sqrt(metres / free), Math.Sqrt(radians / free), shiftMetres, shiftRadians);
         }
 
         /// <summary>Returns the difference between the means of the newer and the older half.</summary>

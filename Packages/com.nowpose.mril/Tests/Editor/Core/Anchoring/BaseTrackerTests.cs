@@ -79,6 +79,31 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(cell.Tracker.Words, Is.EqualTo(BaseStatusMessages.Alternates(MarkerName.Of("a"))));
         }
 
+        // The device corrects its map by a few millimetres. Afterwards all poses agree again.
+        [TestCase(1, 0.7)]
+        [TestCase(1, 1.2)]
+        [TestCase(3, 0.7)]
+        [TestCase(3, 1.2)]
+        public void Tick_OneStepOfThePoses_IsNotAlternating(int count, double at)
+        {
+            for (var seed = 1; seed <= 20; seed++)
+            {
+                var cell = count == 1 ? SimulatedMarkers.One(seed, 0.3) : SimulatedMarkers.Three(seed);
+                (cell.NoiseMetres, cell.NoiseDegrees) = (0.0003, 0.1);
+                cell.Run(at);
+                cell.Base = RigidTransform.FromXyzRpy(0.003, 0, 0, 0, 0, 0) * cell.Base;
+
+                var took = default(double?);
+                cell.Run(6 - at, () =>
+                {
+                    Assert.That(cell.Tracker.Words, Does.Not.StartWith(BaseStatusMessages.Alternates(MarkerName.Of("a"))), "seed " + seed);
+                    if (cell.Tracker.State == BaseAnchorState.Locked) took ??= cell.Seconds;
+                });
+
+                Assert.That(took, Is.LessThan(at + 2.2), "seed " + seed);
+            }
+        }
+
         // A pose that is reported repeatedly counts as one sighting: repetitions carry no information about its accuracy.
         [Test]
         public void Tick_SamePoseRepeated_NeverLocks()
