@@ -7,9 +7,6 @@ namespace Nowpose.Session
     /// <remarks>The velocity applies to the midpoint between the two newest frames. Allocates nothing; not thread-safe.</remarks>
     sealed class ToolVelocity
     {
-        /// <summary>Minimum interval. A shorter interval means that the same frame was computed again; the difference would be noise.</summary>
-        static readonly TimeSpan MinInterval = TimeSpan.FromMilliseconds(5);
-
         /// <summary>Maximum interval. The mean velocity over a longer interval is not the current velocity.</summary>
         static readonly TimeSpan MaxInterval = TimeSpan.FromMilliseconds(100);
 
@@ -19,15 +16,19 @@ namespace Nowpose.Session
         /// <summary>Velocity in the robot's base frame, m/s; null if the pose of this or of the previous frame was not current.</summary>
         public (double X, double Y, double Z)? Value { get; private set; }
 
-        /// <summary>Adds a computed frame.</summary>
-        public void Follow(DisplayFrame frame) => Follow(frame.State == PoseState.Current ? frame.DisplayTime : null, frame.ToolPose);
+        /// <summary>Adds a computed frame. Ignores a computation that is not displayed, because the frame is computed again.</summary>
+        public void Follow(DisplayFrame frame)
+        {
+            if (frame.IsLast) Follow(frame.State == PoseState.Current ? frame.DisplayTime : null, frame.ToolPose);
+        }
 
         /// <param name="displayTime">Display time; null if the pose is not current.</param>
         /// <param name="tool">Tool pose in the robot's base frame, m.</param>
         public void Follow(ControlTime? displayTime, in RigidTransform tool)
         {
             var passed = displayTime - _time;
-            if (passed >= TimeSpan.Zero && passed < MinInterval) return;
+            // The rig has applied the same frame again.
+            if (passed == TimeSpan.Zero) return;
             var seconds = passed > TimeSpan.Zero && passed <= MaxInterval ? ClockTicks.Seconds(passed.Value) : double.NaN;
             Value = double.IsNaN(seconds)
                 ? ((double, double, double)?)null
