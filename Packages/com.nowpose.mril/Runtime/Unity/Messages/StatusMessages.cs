@@ -35,7 +35,7 @@ namespace Nowpose.Unity.Messages
         public const string LatenciesDiffer = "runtime and calibration differ";
         public const string LatencyPredicted = "predicted by the runtime";
         public const string LatencyNotVerified = "predicted, not verified";
-        public const string RenderingTooLong = "rendering takes too long";
+        public const string FramesLate = "frames are late";
         public const string TooFewSamples = "too few recent samples";
         public const string JointWithoutSamples = "a joint has no samples";
         public const string BaseNotCurrent = "its base is not current";
@@ -119,7 +119,7 @@ namespace Nowpose.Unity.Messages
             switch (pose)
             {
                 case PoseState.Current: return "";
-                case PoseState.OutsideRange: return RenderingTooLong;
+                case PoseState.OutsideRange: return FramesLate;
                 case PoseState.Held: return TooFewSamples;
                 case PoseState.Unsynchronised: return "time not known";
                 default: return JointWithoutSamples;

@@ -186,7 +186,7 @@ namespace Nowpose.Tests.Unity.Status
             var row = Row(StatusRow.Pose, new SessionStatistics { SettledPose = PoseState.OutsideRange, OutsideRange = response }).Split('|');
 
             Assert.That(row[0], Is.EqualTo("! " + PoseLook.Of(PoseState.OutsideRange, response).Label));
-            Assert.That(row[1], Is.EqualTo(StatusMessages.RenderingTooLong));
+            Assert.That(row[1], Is.EqualTo(StatusMessages.FramesLate));
         }
 
         [TestCase(RenderTimeSourceKind.DisplayGpuTime, "9.5 ms|GPU time from headset")]
