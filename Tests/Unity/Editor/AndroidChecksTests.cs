@@ -39,13 +39,16 @@ public sealed class AndroidChecksTests : EditorFixture
 
     // The option exists in version 1.15 and newer of the OpenXR plug-in.
     [Test]
-    public void LatencyOptimization_OlderPlugIn_IsGood()
+    public void LatencyOptimization_WithoutTheOption_IsGoodOnlyIfThereAreSettings([Values] bool hasSettings)
     {
+        if (hasSettings) OpenXrAssets.PutOld(Keep, BuildTargetGroup.WSA);
         var check = ProjectChecks.ForHoloLens()
             .SingleOrDefault(each => each.Title == CheckTitles.OpenXrOption("Latency Optimization", "Prioritize Rendering"));
 
         Assert.That(check, Is.Not.Null);
-        Assert.That(check.Look(new UnityProjectSettings(HeadsetPlatform.HoloLens2)).State, Is.EqualTo(CheckState.Good));
+        var found = check.Look(new UnityProjectSettings(HeadsetPlatform.HoloLens2));
+        Assert.That((found.State, found.Found), Is.EqualTo(
+            hasSettings ? (CheckState.Good, CheckResults.NoLatencyOptimization) : (CheckState.Advice, CheckResults.NoOpenXrSettings)));
     }
 
     // Passthrough shows the real robot only where the camera's picture has alpha 0.

@@ -17,20 +17,24 @@ static class OpenXrAssets
     };
 
     /// <summary>Adds the settings to the open project.</summary>
-    public static void Put(Func<ScriptableObject, ScriptableObject> keep, params BuildTargetGroup[] players)
+    public static void Put(Func<ScriptableObject, ScriptableObject> keep, params BuildTargetGroup[] players) => Put<NewOpenXRSettings>(keep, players);
+
+    /// <summary>Adds the settings of a plug-in older than version 1.15 to the open project.</summary>
+    public static void PutOld(Func<ScriptableObject, ScriptableObject> keep, params BuildTargetGroup[] players) => Put<OpenXRSettings>(keep, players);
+
+    static void Put<T>(Func<ScriptableObject, ScriptableObject> keep, BuildTargetGroup[] players) where T : OpenXRSettings
     {
         var all = New<OpenXRPackageSettings>(keep);
         all.Keys = [.. players];
-        all.Values = [.. players.Select(_ => Settings(keep))];
+        all.Values = [.. players.Select(_ => Settings<T>(keep))];
         Project.Put("Assets/XR/Settings/OpenXR Package Settings.asset", all);
     }
 
-    static OpenXRSettings Settings(Func<ScriptableObject, ScriptableObject> keep)
+    static T Settings<T>(Func<ScriptableObject, ScriptableObject> keep) where T : OpenXRSettings
     {
-        var settings = New<OpenXRSettings>(keep);
+        var settings = New<T>(keep);
         settings.m_renderMode = 0;
         settings.m_depthSubmissionMode = 2;
-        settings.m_latencyOptimization = 1;
         settings.features = [null, .. Features.Select(id => Feature(keep, id))];
         return settings;
     }
@@ -51,12 +55,16 @@ static class OpenXrAssets
         public List<OpenXRSettings> Values;
     }
 
-    public sealed class OpenXRSettings : ScriptableObject
+    public class OpenXRSettings : ScriptableObject
     {
         public List<OpenXRFeature> features;
         public int m_renderMode;
         public int m_depthSubmissionMode;
-        public int m_latencyOptimization;
+    }
+
+    public sealed class NewOpenXRSettings : OpenXRSettings
+    {
+        public int m_latencyOptimization = 1;
     }
 
     public sealed class OpenXRFeature : ScriptableObject

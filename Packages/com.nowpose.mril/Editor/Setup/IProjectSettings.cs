@@ -74,6 +74,9 @@ namespace Nowpose.Editor.Setup
         /// <returns>False if the id is unknown.</returns>
         bool TurnFeatureOn(string featureId);
 
+        /// <summary>Whether the project has OpenXR settings for the player.</summary>
+        bool HasOpenXrSettings { get; }
+
         /// <summary>
         /// Returns the number to which an enumeration setting of OpenXR is set, given the serialised name of the setting; null if no such setting
         /// exists.

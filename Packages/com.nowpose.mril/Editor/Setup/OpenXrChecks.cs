@@ -39,13 +39,14 @@ namespace Nowpose.Editor.Setup
         /// <param name="names">Names of all values, indexed by their number.</param>
         /// <param name="wanted">Number of the required value.</param>
         /// <param name="without">State of a project with another value.</param>
-        /// <param name="absent">Result if the project does not have the setting; null for a missing requirement.</param>
+        /// <param name="absent">Result if the OpenXR settings of the project do not have the setting; null for a missing requirement.</param>
         public static ProjectCheck Option(
             string title, string why, string field, string[] names, int wanted, CheckState without = CheckState.Missing,
             CheckResult? absent = null) =>
             new ProjectCheck(CheckTitles.OpenXrOption(title, names[wanted]), why,
                 project =>
                 {
+                    if (!project.HasOpenXrSettings) return new CheckResult(without, CheckResults.NoOpenXrSettings);
                     if (!(project.OpenXrOption(field) is int value)) return absent ?? new CheckResult(without, CheckResults.NoOpenXrSettings);
                     var name = value >= 0 && value < names.Length ? names[value] : FormattableString.Invariant($"unknown value {value}");
                     return value == wanted ? CheckResult.Good(name) : new CheckResult(without, name + " is chosen");

@@ -12,6 +12,9 @@ namespace Nowpose.Editor.Setup
     {
         const string SettingsType = "OpenXRPackageSettings";
 
+        /// <summary>Returns whether the project has OpenXR settings for a player.</summary>
+        public static bool Exist(BuildTargetGroup player) => PlayerAsset.Find(SettingsType, player) != null;
+
         /// <summary>Returns whether a feature is enabled; null if the project has no such settings or no such feature.</summary>
         public static bool? IsOn(BuildTargetGroup player, string featureId)
         {

@@ -112,6 +112,8 @@ namespace Nowpose.Editor.Setup
 
         public bool TurnFeatureOn(string featureId) => OpenXrOptions.TurnOn(Platform.Group, featureId);
 
+        public bool HasOpenXrSettings => OpenXrOptions.Exist(Platform.Group);
+
         public int? OpenXrOption(string field) => OpenXrOptions.Get(Platform.Group, field);
 
         public bool ChooseOpenXrOption(string field, int value) => OpenXrOptions.Set(Platform.Group, field, value);

@@ -38,6 +38,7 @@ namespace Nowpose.Tests.Unity.Setup
         public float? NearClipMetres { get; set; }
         public bool AsksForInternet { get; set; }
         public bool? UsesOpenXr => null;
+        public bool HasOpenXrSettings => false;
 
         public bool? IsFeatureOn(string featureId) => null;
         public bool TurnFeatureOn(string featureId) => false;
