@@ -102,6 +102,25 @@ public class PlayedAnchorTests
     }
 
     [Test]
+    public void Nudge_DuringTheTransition_MovesFromTheNewPose()
+    {
+        _played.PlayLocked();
+        var there = Base * RigidTransform.FromXyzRpy(0.1, 0, 0, 0, 0, 0);
+        _played.Markers.Base = there;
+        _played.Anchor.Relock();
+        while (_played.Anchor.State != BaseAnchorState.Locked) _played.Cell.Run(0.1, _played.Session);
+        Assert.That(_played.OffFrom(there).Metres, Is.GreaterThan(0.01), "the transition is not complete");
+
+        _played.Anchor.Nudge(new Vector3(0.003f, 0, 0), 0);
+        _played.Cell.Run(2, _played.Session);
+
+        var pose = UnityPoses.ToWorld(there);
+        var nudged = UnityPoses.ToRoom(pose.position + pose.rotation * new Vector3(0.003f, 0, 0), pose.rotation);
+        Assert.That(_played.OffFrom(nudged).Metres, Is.LessThan(0.001));
+        Assert.That(_played.Anchor.Tracker.Base.Value.DistanceTo(nudged), Is.LessThan(0.001));
+    }
+
+    [Test]
     public void Place_Locked_MovesImmediatelyAndStays()
     {
         _played.PlayLocked();

@@ -156,9 +156,7 @@ namespace Nowpose.Unity
         /// Moves the base frame to a pose in the world, without a transition. Releases a lock by markers; a running search continues.
         /// </summary>
         /// <param name="position">Position of the base frame's origin, in metres.</param>
-        /// <param name="rotation">
-        /// Rotation of the base frame in Unity's axes (x right, y up, z forward). The quaternion may have any length except zero.
-        /// </param>
+        /// <param name="rotation">Rotation of the base frame in Unity's axes (x right, y up, z forward). Any length except zero is allowed.</param>
         /// <exception cref="ArgumentException">A value is not finite, or the rotation is zero.</exception>
         public void Place(Vector3 position, Quaternion rotation)
         {
@@ -176,7 +174,9 @@ namespace Nowpose.Unity
         public void Nudge(Vector3 metres, float degreesAboutUp)
         {
             if (!float.IsFinite(degreesAboutUp)) throw new ArgumentException(BaseMessages.AngleNotFinite(degreesAboutUp), nameof(degreesAboutUp));
-            MoveTo(transform.position + transform.rotation * metres, transform.rotation * Quaternion.AngleAxis(degreesAboutUp, Vector3.up));
+            // During a transition, this object has not yet reached the pose of the base.
+            var from = Tracker?.Base is Kinematics.RigidTransform at ? UnityPoses.ToWorld(at) : new Pose(transform.position, transform.rotation);
+            MoveTo(from.position + from.rotation * metres, from.rotation * Quaternion.AngleAxis(degreesAboutUp, Vector3.up));
             Tracker?.Nudge(UnityPoses.ToRoom(transform.position, transform.rotation));
             Moved?.Invoke();
             Notify();
