@@ -167,7 +167,7 @@ namespace Nowpose.Unity
         }
 
         /// <summary>Shifts the base frame along its own axes and rotates it about its own vertical axis.</summary>
-        /// <remarks>A lock stays, and the device stores the new pose. No marker changes the base until <see cref="Relock"/>.</remarks>
+        /// <remarks>A lock stays, and the device stores it. No marker changes it until <see cref="Relock"/> or a new search after standby.</remarks>
         /// <param name="metres">Offset to the robot's right (x), up (y) and forward (z), in metres.</param>
         /// <param name="degreesAboutUp">Rotation in degrees; positive is clockwise as seen from above.</param>
         /// <exception cref="ArgumentException">A value is not finite.</exception>

@@ -157,7 +157,7 @@ namespace Nowpose.Anchoring
         }
 
         /// <summary>Moves a known base by a small amount. The device holds and stores the new pose.</summary>
-        /// <remarks>A lock stays, and its markers are still monitored. No marker changes the base until <see cref="Relock"/>.</remarks>
+        /// <remarks>A lock stays, and its markers are monitored. They change it only after <see cref="Relock"/> or <see cref="Resume"/>.</remarks>
         /// <param name="at">New pose in the room frame.</param>
         internal void Nudge(in RigidTransform at)
         {
