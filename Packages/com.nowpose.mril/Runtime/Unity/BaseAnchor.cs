@@ -145,7 +145,7 @@ namespace Nowpose.Unity
         /// Starts a new search for the base by its markers. Until the search succeeds, the base keeps its pose and its appearance shows that it
         /// is not locked.
         /// </summary>
-        /// <remarks>If no marker can confirm a restored pose, because there are none or the base was locked by hand, this method confirms it.</remarks>
+        /// <remarks>If no marker can confirm a restored pose, because there is none or the base was locked by hand, this confirms it.</remarks>
         public void Relock()
         {
             Tracker?.Relock();

@@ -130,8 +130,8 @@ namespace Nowpose.Anchoring
 
         /// <summary>Starts a new search with the markers. The base stays in its position until the markers have determined a new position.</summary>
         /// <remarks>
-        /// If no marker comes into view for a long time, the previous lock is restored. If no marker can confirm a restored position, because there are
-        /// no markers or the base was locked by hand, the method confirms this position.
+        /// If no marker comes into view for a long time, the previous lock is restored. If no marker can confirm a restored position, because there
+        /// are none or the base was locked by hand, the method confirms this position.
         /// </remarks>
         public void Relock()
         {

@@ -30,8 +30,8 @@ namespace Nowpose.Anchoring.Fitting
         readonly double _shiftMetres, _shiftRadians;
 
         PoseMean(
-            in RigidTransform pose, int inliers, double share, double shareOfBetterHalf, double spreadMetres, double spreadRadians, double shiftMetres,
-            double shiftRadians)
+            in RigidTransform pose, int inliers, double share, double shareOfBetterHalf, double spreadMetres, double spreadRadians,
+            double shiftMetres, double shiftRadians)
         {
             _shiftMetres = shiftMetres;
             _shiftRadians = shiftRadians;

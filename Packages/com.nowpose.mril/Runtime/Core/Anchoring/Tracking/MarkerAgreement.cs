@@ -76,8 +76,8 @@ namespace Nowpose.Anchoring.Tracking
         /// <summary>Returns the common turn of the prints relative to the allowed turn.</summary>
         static double CommonTurn(IReadOnlyList<MarkerEstimate> markers, in RigidTransform fitted, int without, AnchoringSettings settings)
         {
-            // The tilts of prints are independent of each other, so their mean is smaller than each of them. An error that the device makes in all angles
-            // is not, so the limit does not decrease further with the count.
+            // The tilts of prints are independent of each other, so their mean is smaller than each of them. An error that the device makes in all
+            // angles does not become smaller with the count, so the limit is that of three markers at least.
             var count = Math.Min(without < 0 ? markers.Count : markers.Count - 1, 3);
             return BaseFit.CommonTurn(fitted, markers, without) * Math.Sqrt(count) / (AngleFactor * settings.ToleranceRadians);
         }
