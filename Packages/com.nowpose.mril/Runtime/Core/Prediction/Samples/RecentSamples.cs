@@ -23,6 +23,12 @@ namespace Nowpose.Prediction.Samples
         const double MinRangeRatio = 1e-3;
 
         /// <summary>
+        /// Minimum displacement, relative to the noise, at which the positions show the order of the samples. Without it, one of 80 overtaken samples at
+        /// rest with noise counts as right, and the sample before it as wrong.
+        /// </summary>
+        const double MinDisplacementRatio = 2;
+
+        /// <summary>
         /// Number of newest samples whose six second differences estimate the noise: in a longer window, accelerations of an earlier motion would
         /// increase the estimate.
         /// </summary>
@@ -83,15 +89,18 @@ namespace Nowpose.Prediction.Samples
             // Two samples with the same stamp may come from a clock with a coarse resolution.
             if (indexBefore < 0 || JointSample.IsSameTime(late[0].Order, Order(indexNewest))) return false;
             var (before, newest, first, last) = (_samples[indexBefore], _samples[indexNewest], late[0], late[late.Length - 1]);
-            double byStamp = 0, byArrival = 0, withoutNewest = 0, withoutLate = 0;
+            double byStamp = 0, byArrival = 0, withoutNewest = 0, withoutLate = 0, displacement = 0, noise = 0;
             for (var c = 0; c < next.Components; c++)
             {
                 byStamp += Distance(before, first, c) + Distance(last, newest, c) + Distance(newest, next, c);
-                byArrival += Distance(before, newest, c) + Distance(newest, first, c) + Distance(last, next, c) + 2 * Noise(c);
+                byArrival += Distance(before, newest, c) + Distance(newest, first, c) + Distance(last, next, c);
+                displacement += Distance(before, next, c);
+                noise += Noise(c);
                 withoutNewest += Math.Abs(Velocity(last, next, c) - Velocity(before, first, c));
                 withoutLate += Math.Abs(Velocity(newest, next, c) - Velocity(before, newest, c));
             }
-            return byStamp > byArrival && withoutNewest < withoutLate;
+            // At rest, positions with noise have no order.
+            return displacement > MinDisplacementRatio * noise && byStamp > byArrival + noise && withoutNewest < withoutLate;
         }
 
         public void Clear() => _next = _count = 0;
