@@ -194,8 +194,8 @@ export class OfferedClock {
       step.observe(sent, asked, this.counter());
     };
     for (let i = 1; !step.isMeasured(this.#resolution.isKnown) && !this.#resolution.isStopped && !stop.aborted; i++) {
-      const asked = this.counter(),
-        reading = observe(asked);
+      const asked = this.counter();
+      const reading = observe(asked);
       reading.catch(() => {});
       running.push({ asked, reading });
       // A slow server must not get more requests than it can process, because they would delay its other messages.
