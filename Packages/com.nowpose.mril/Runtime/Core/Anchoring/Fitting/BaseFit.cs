@@ -83,7 +83,7 @@ namespace Nowpose.Anchoring.Fitting
         /// With several markers, mainly their positions determine the rotation, so this is the difference between what the positions and what the
         /// prints show.
         /// </remarks>
-        public static double CommonTurn(in RigidTransform fitted, IReadOnlyList<MarkerEstimate> markers, int without = -1)
+        public static double MeanTurn(in RigidTransform fitted, IReadOnlyList<MarkerEstimate> markers, int without = -1)
         {
             var (back, sum, count) = (fitted.Inverse, default(Vector3D), 0);
             for (var i = 0; i < markers.Count; i++)

@@ -26,6 +26,6 @@ namespace Nowpose.Anchoring.Tracking
         public bool IsBeyond(double radians) => Radians > radians + DeviationWatch.MinStandardErrors * Sd;
 
         /// <summary>Returns whether the angle is clearly within the limit.</summary>
-        public bool IsWithin(double radians) => Radians < 0.7 * radians;
+        public bool IsWithin(double radians) => Radians < DeviationWatch.WithinRatio * radians;
     }
 }

@@ -18,6 +18,9 @@ namespace Nowpose.Anchoring.Tracking
         /// <summary>Minimum excess over the limit, in sd of the median. It prevents the state of a marker at the limit from alternating.</summary>
         public const double MinStandardErrors = 3;
 
+        /// <summary>Share of the limit below which a deviation is clearly within it: a hysteresis, for the same purpose.</summary>
+        public const double WithinRatio = 0.7;
+
         /// <summary>
         /// Recent: maximum age of the poses that are used. Oldest: maximum age of the poses that are added if there are too few recent ones, because a
         /// HoloLens 2 may report a code only once in 2 s.
@@ -67,7 +70,7 @@ namespace Nowpose.Anchoring.Tracking
 
         /// <summary>Returns whether the deviation is clearly within the limits.</summary>
         public bool IsWithin(double metres, double radians, in CommonTurn common) =>
-            IsKnown && Metres < 0.7 * metres && (Turn.IsWithin(radians) || common.IsWithin(radians));
+            IsKnown && Metres < WithinRatio * metres && (Turn.IsWithin(radians) || common.IsWithin(radians));
 
         void Update(HeadsetTime now)
         {

@@ -45,7 +45,7 @@ namespace Nowpose.Anchoring.Tracking
         {
             var all = BaseFit.Of(markers);
             var isEachGood = WorstMisfit(markers, all, -1, settings) <= 1;
-            if (isEachGood && CommonTurn(markers, all, -1, settings) <= 1) return new MarkerAgreement(true, -1, all, 0, 0);
+            if (isEachGood && TurnMisfit(markers, all, -1, settings) <= 1) return new MarkerAgreement(true, -1, all, 0, 0);
             // If only the common turn is too large, either the position of one marker or the angles of all markers may be wrong.
             if (!isEachGood && markers.Count > 2)
             {
@@ -54,7 +54,7 @@ namespace Nowpose.Anchoring.Tracking
                 for (var i = 0; i < markers.Count; i++)
                 {
                     var others = BaseFit.Of(markers, without: i);
-                    var rest = Math.Max(WorstMisfit(markers, others, i, settings), CommonTurn(markers, others, i, settings));
+                    var rest = Math.Max(WorstMisfit(markers, others, i, settings), TurnMisfit(markers, others, i, settings));
                     if (rest < min) (min, wrong, fitted) = (rest, i, others);
                 }
                 if (min <= 1)
@@ -74,12 +74,12 @@ namespace Nowpose.Anchoring.Tracking
         }
 
         /// <summary>Returns the common turn of the prints relative to the allowed turn.</summary>
-        static double CommonTurn(IReadOnlyList<MarkerEstimate> markers, in RigidTransform fitted, int without, AnchoringSettings settings)
+        static double TurnMisfit(IReadOnlyList<MarkerEstimate> markers, in RigidTransform fitted, int without, AnchoringSettings settings)
         {
             // The tilts of prints are independent of each other, so their mean is smaller than each of them. An error that the device makes in all
             // angles does not become smaller with the count, so the limit is that of three markers at least.
             var count = Math.Min(without < 0 ? markers.Count : markers.Count - 1, 3);
-            return BaseFit.CommonTurn(fitted, markers, without) * Math.Sqrt(count) / (AngleFactor * settings.ToleranceRadians);
+            return BaseFit.MeanTurn(fitted, markers, without) * Math.Sqrt(count) / (AngleFactor * settings.ToleranceRadians);
         }
 
         /// <summary>Returns the maximum misfit of a single marker relative to the allowed misfit.</summary>
