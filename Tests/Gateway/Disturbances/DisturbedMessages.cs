@@ -54,7 +54,7 @@ sealed class DisturbedMessages(DisturbedGateway gateway, Ledger ledger, Random r
 
     /// <summary>Returns a message whose parts have the same new value.</summary>
     /// <param name="ahead">Stamp minus the control time, s.</param>
-    /// <param name="isLastWrong">Whether the value of the last part is no number.</param>
+    /// <param name="isLastWrong">Whether the value of the last part is not a number.</param>
     public string Of(Channel channel, double ahead = 0, bool isLastWrong = false)
     {
         var (stamp, value) = (gateway.Clock.Now + TimeSpan.FromSeconds(ahead), (double)ledger.NextValue());

@@ -78,10 +78,10 @@ sealed partial class StatusLaws(DisturbedGateway gateway, Ledger ledger, List<st
         if (signal == null || isOwned == (signal.State == "ended")) Fail($"signal {newest.Name} is {signal?.State}, has a source: {isOwned}");
         var isListed = IsListed(ledger.SignalStatus, newest.Name);
         if (!isOwned && !isListed && ledger.SignalStatus.Values.Count < ProtocolLimits.Signals)
-            Fail($"headsets do not know that signal {newest.Name} has ended");
+            Fail($"the status for headsets does not contain that signal {newest.Name} has ended");
         if (signal?.State != "live" || !isListed) _otherSince.Remove(newest.Name);
         else if (!_otherSince.TryAdd(newest.Name, Now) && Now - Math.Max(newest.At, _otherSince[newest.Name]) > ListInterval)
-            Fail($"headsets do not know that signal {newest.Name} is live");
+            Fail($"the status for headsets does not contain that signal {newest.Name} is live");
     }
 
     static bool IsListed(DiagnosticsMessage list, string name) => list.Values.Any(pair => pair.Key == name);

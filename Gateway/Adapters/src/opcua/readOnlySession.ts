@@ -135,7 +135,7 @@ export class ReadOnlySession {
     return this.#answeredAt;
   }
 
-  /** @throws Error There is no session. */
+  /** @throws Error The session is not open. */
   get #open(): ClientSession {
     if (this.#session === null) throw new Error(opcuaMessages.notConnected);
     return this.#session;

@@ -50,7 +50,7 @@ namespace Nowpose.Anchoring
         internal LockReport Nudged(in RigidTransform at, in RigidTransform by) =>
             new LockReport(at, Markers, SpreadMetres, SpreadRadians, ChangeMetres, ChangeRadians) { Nudge = (Nudge ?? RigidTransform.Identity) * by };
 
-        /// <summary>Pose of the base relative to its pose according to the markers; null if nobody has moved it since the lock.</summary>
+        /// <summary>Pose of the base relative to its pose according to the markers; null if it has not been moved by hand since the lock.</summary>
         internal RigidTransform? Nudge { get; private set; }
 
         /// <summary>Base in the room frame at the time of the lock.</summary>

@@ -140,7 +140,7 @@ namespace Nowpose.Frames
             var newest = _pipeline.Newest.Order;
             var body = new BodySample(sample.Time, sample.Position, _rotations.Add(sample.Order, sample.Rotation), sample.Order);
             var reason = _pipeline.Receive(body, out hasRestarted);
-            // Otherwise, the sample with the wrong stamp was left out, and has no rotation.
+            // Otherwise, the sample with the wrong stamp was not admitted, and the newest one is right.
             if (_pipeline.IsNewestStampWrong && newest > _pipeline.Ready[0].Order) _rotations.Remove(newest);
             return reason;
         }

@@ -73,7 +73,7 @@ namespace Nowpose.Unity.Session
         static string ReasonOutside(SessionStatistics statistics) =>
             statistics?.RangeUnknownReason == RangeUnknownReason.LowFrameRate ? SessionMessages.RefreshesMissed : SessionMessages.BeyondRange;
 
-        // Without a profile, L_visu may be the estimate of the settings, which nobody has measured.
+        // Without a profile, L_visu may be the estimate of the settings, which was not measured.
         void LogDifference(CompensationSession session, SessionStatistics statistics)
         {
             if (session == null || statistics == null) return;
