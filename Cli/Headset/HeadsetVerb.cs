@@ -33,7 +33,9 @@ static class HeadsetVerb
         "the display latency; nothing is rendered, so its render time limit has no effect");
     static readonly Option<double> Visualisation = NumberOption.Create("--visu-ms", "Display latency that the runtime uses", 40.0, 0, 500, "ms");
     static readonly Option<double> FramesPerSecond = NumberOption.Create("--fps", "Frames per second", 60.0, 1, 240, "Hz");
-    static readonly Option<double> Seconds = NumberOption.Create("--seconds", "Duration of the run", 20.0, 1, 86_400, "s");
+    static readonly Option<double> Seconds = NumberOption.Create(
+        "--seconds", "Duration of the run; without --robot, it begins with the gateway's description of the robot, for which it waits up to 10 s", 20.0,
+        1, 86_400, "s");
     static readonly Option<string> Record = TextOption.Create(
         "--record", "File for a recording of the session, .jsonl; the exit status is 1 if it is incomplete", "FILE");
     static readonly Option<double> RecordMegabytes = NumberOption.Create(

@@ -41,7 +41,7 @@ sealed class ConfiguredArguments
     /// </exception>
     public string[] Of(Command root, string[] args)
     {
-        var typed = root.Parse(args);
+        var typed = Invocation.Parse(root, args);
         var verb = typed.CommandResult.Command;
         if (verb.Options.OfType<Option<string>>().FirstOrDefault(option => option.Name == Option) is not { } config
             || typed.GetResult(config) is not { Tokens.Count: 1 } named) return args;
@@ -74,9 +74,9 @@ sealed class ConfiguredArguments
         var fault = Fault(entry, option);
         if (fault == null)
         {
-            // Passes name and value as one argument, because a value may begin with a dash or an @.
+            // Passes name and value as one argument, because a value may begin with a dash.
             foreach (var value in entry.Values) arguments.Add($"{name}={Placed(value, option, path)}");
-            fault = root.Parse([verb.Name, .. arguments]).Errors.FirstOrDefault(error => IsOf(error, option))?.Message;
+            fault = Invocation.Parse(root, [verb.Name, .. arguments]).Errors.FirstOrDefault(error => IsOf(error, option))?.Message;
         }
 
         if (fault != null) _wrong.Add(entry.Key, entry.Wrong(fault.StartsWith(name + ": ", StringComparison.Ordinal) ? fault[(name.Length + 2)..] : fault));

@@ -18,6 +18,10 @@ public static class Invocation
         return root;
     }
 
+    /// <summary>Parses arguments as they are. One that begins with @ is the name of a file or folder, not a file with more arguments.</summary>
+    public static ParseResult Parse(Command root, IReadOnlyList<string> args) =>
+        root.Parse(args, new ParserConfiguration { ResponseFileTokenReplacer = null });
+
     /// <param name="root">The command from <see cref="Root"/>. Its name precedes each error message.</param>
     /// <param name="args">The arguments of the command line.</param>
     /// <param name="whenTerminated">Exit status after a request to end other than Ctrl-C, for example by a service manager.</param>
@@ -35,7 +39,7 @@ public static class Invocation
         try
         {
             if (OptionWithoutValue(root, args) is { } option) return Fail(program, ExitStatus.BadInput, OptionMessages.ValueMissing(option));
-            var parsed = root.Parse(complete == null ? args : await ReadAsync(() => complete(root, args), end.Token));
+            var parsed = Parse(root, complete == null ? args : await ReadAsync(() => complete(root, args), end.Token));
             if (parsed.UnmatchedTokens.Count > 0 || (parsed.Errors.Count > 0 && parsed.Action is not HelpAction))
                 return Fail(program, ExitStatus.BadInput, Complaint(parsed));
             // A null timeout disables the library's signal handling, which returns the same status for every signal.
@@ -84,7 +88,7 @@ public static class Invocation
     // The library takes an option that follows, even an unknown one, as the value, which only --name=--value should mean.
     static string OptionWithoutValue(Command root, string[] args)
     {
-        Option[] options = [.. root.Parse(args).CommandResult.Command.Options, .. root.Options.Where(option => option.Recursive)];
+        Option[] options = [.. Parse(root, args).CommandResult.Command.Options, .. root.Options.Where(option => option.Recursive)];
         for (var i = 0; i < args.Length && args[i] != "--"; i++)
         {
             if (Find(args[i]) is not { Arity.MinimumNumberOfValues: > 0 }) continue;

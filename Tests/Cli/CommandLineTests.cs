@@ -65,6 +65,19 @@ public partial class CommandLineTests
     }
 
     [Test]
+    public async Task Run_FileNameThatBeginsWithAnAt_IsThatFile()
+    {
+        using var folder = new TemporaryFolder();
+        var arguments = Path.Combine(folder.Path, "arguments.txt");
+        await File.WriteAllTextAsync(arguments, "--bogus");
+
+        var run = await CliRun.OfAsync("replay", "@" + arguments);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2));
+        Assert.That(run.Errors.TrimEnd(), Is.EqualTo(ConsoleMessages.Line(PathMessages.NotFound("@" + arguments))));
+    }
+
+    [Test]
     public async Task Run_UnknownCommandWithHelp_ExitsWith2()
     {
         var run = await CliRun.OfAsync("bogus", "--help");
