@@ -28,7 +28,7 @@ static class UnityProjectMessages
         + "(in NuGetForUnity: uninstall it); your scripts can use the package's copy";
 
     public const string Backup = "Backup of the manifest: ";
-    public const string NoPath = "PATH is empty; enter the folder of a Unity project";
+    public const string NoPath = "PROJECT is empty; enter the folder of a Unity project";
 
     public static string IsAFile(string path) => $"{path}: is a file; enter the folder of a Unity project";
     public static string NoFolder(string path) => $"{path}: folder not found; enter the folder of a Unity project";

@@ -5,12 +5,12 @@ using Nowpose.Gateway.Options;
 
 namespace Nowpose.Cli.Unity;
 
-/// <summary><c>unity PATH</c>: prepares a Unity project for the package.</summary>
+/// <summary><c>unity PROJECT</c>: prepares a Unity project for the package.</summary>
 static class UnityVerb
 {
     public static Command Create()
     {
-        var path = new Argument<string>("PATH") { Description = "Folder of the Unity project" };
+        var project = new Argument<string>("PROJECT") { Description = "Folder of the Unity project" };
         var mrtk3 = SwitchOption.Create("--mrtk3", "Add MRTK3 and the packages that a HoloLens 2 needs");
         var webSocket = SwitchOption.Create("--native-websocket", "Add NativeWebSocket, another WebSocket client");
         var samples = TextOption.CreateList("--sample", "Copy a sample of the package into Assets/Samples: " + SampleNames() + ".", "NAME");
@@ -24,22 +24,22 @@ static class UnityVerb
         var json = SwitchOption.Create("--json", "Print JSON instead of text");
         var verb = new Command("unity", "Prepare a Unity project: registries, dependencies, testables and the package in its Packages/manifest.json.")
         {
-            path, mrtk3, webSocket, samples, package, onConflict, check, json,
+            project, mrtk3, webSocket, samples, package, onConflict, check, json,
         };
         verb.SetAction((parsed, cancel) =>
         {
             var settings = new PreparationSettings(
                 parsed.GetValue(mrtk3), parsed.GetValue(webSocket), parsed.GetValue(samples) ?? [], parsed.GetValue(package),
                 Enum.Parse<ConflictRule>(parsed.GetValue(onConflict), ignoreCase: true));
-            return RunAsync(parsed.GetValue(path), settings, parsed.GetValue(check), parsed.GetValue(json), cancel);
+            return RunAsync(parsed.GetValue(project), settings, parsed.GetValue(check), parsed.GetValue(json), cancel);
         });
         return verb;
     }
 
-    static async Task<int> RunAsync(string path, PreparationSettings settings, bool isCheck, bool isJson, CancellationToken cancel)
+    static async Task<int> RunAsync(string project, PreparationSettings settings, bool isCheck, bool isJson, CancellationToken cancel)
     {
         var preparation = await Invocation.ReadAsync(
-            () => FileFault.Report(() => Preparation.Plan(UnityProject.Open(path), settings), e => e.Message), cancel);
+            () => FileFault.Report(() => Preparation.Plan(UnityProject.Open(project), settings), e => e.Message), cancel);
         var backup = isCheck ? null : FileFault.Report(() => preparation.Apply(), e => e.Message);
         if (isCheck && preparation.Obstacle is { } obstacle) Console.Error.WriteLine(ConsoleMessages.WouldFail(obstacle));
         foreach (var note in preparation.Notes) Console.Error.WriteLine(ConsoleMessages.Line(note));

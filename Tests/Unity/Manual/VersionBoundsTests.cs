@@ -59,7 +59,7 @@ public sealed partial class VersionBoundsTests
     public void InstallationPage_FirstStep_IsTheCommand(string path)
     {
         var text = RepositoryFiles.Read(path);
-        var command = text.IndexOf("nowpose unity PATH", StringComparison.Ordinal);
+        var command = text.IndexOf("nowpose unity PROJECT", StringComparison.Ordinal);
 
         Assert.That(command, Is.Positive);
         Assert.That(text.IndexOf("erge this block", StringComparison.Ordinal), Is.EqualTo(-1).Or.GreaterThan(command));

@@ -51,11 +51,11 @@ namespace Nowpose.Editor.Messages
         public static string UnityVersion(string version) => $"{version}: the version cannot be read";
 
         public static string NotInstalled(string packages, int count) =>
-            $"{packages} {Are(count)} not installed; close Unity and run `nowpose unity PATH --mrtk3`, or get the tarballs from the releases of "
+            $"{packages} {Are(count)} not installed; close Unity and run `nowpose unity PROJECT --mrtk3`, or get the tarballs from the releases of "
             + "github.com/MixedRealityToolkit/MixedRealityToolkit-Unity";
 
         public static string NotSupported(string packages, int count, string supported) =>
-            $"{packages} {Are(count)} not supported; close Unity and run `nowpose unity PATH --mrtk3 --on-conflict replace`, or write {supported} "
+            $"{packages} {Are(count)} not supported; close Unity and run `nowpose unity PROJECT --mrtk3 --on-conflict replace`, or write {supported} "
             + "into Packages/manifest.json";
 
         public static string NotInstalled(string package) => $"{package} is not installed";
