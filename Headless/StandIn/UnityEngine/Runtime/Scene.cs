@@ -22,6 +22,8 @@ public struct Scene
 
     public readonly string path => _content?.Path ?? "";
 
+    public readonly int buildIndex => World.Current.Scenes.BuildList.IndexOf(path);
+
     public readonly bool IsValid() => _content is { IsLoaded: true };
 
     public readonly GameObject[] GetRootGameObjects() =>

@@ -15,6 +15,9 @@ sealed class Scenes
 
     internal IReadOnlyList<SceneContent> Loaded => _loaded;
 
+    /// <summary>Paths of the ticked scenes in the Build Settings.</summary>
+    internal List<string> BuildList { get; } = new();
+
     internal SceneContent Add(string name, string path)
     {
         var made = new SceneContent(--_lastHandle, name, path);
