@@ -28,6 +28,7 @@ public abstract class EditorFixture
         SessionState.Clear();
         PrefabUtility.Recorded.Clear();
         QualitySettings.renderPipeline = null;
+        World.Current.Scenes.BuildList.Clear();
         Selection.activeObject = null;
         Project.Open(null);
     }

@@ -12,6 +12,9 @@ namespace Nowpose.Editor.Messages
             "Black is transparent on a see-through display, and alpha 0 shows the video of a passthrough headset. A skybox or a colour covers the real "
             + "robot, and pictures that the headset takes need the alpha channel.";
 
+        public const string FirstScene =
+            "The app starts with the first scene of the build list that has a tick. In a project from a template, this is an empty SampleScene.";
+
         public const string FrameTiming =
             "Frame Timing Stats provide the GPU time per frame. Without them, the render time is measured less accurately, and a limit of "
             + "the constant-latency range that was found with one source is not valid for another.";

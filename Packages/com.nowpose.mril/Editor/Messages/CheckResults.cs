@@ -11,6 +11,11 @@ namespace Nowpose.Editor.Messages
         public static string BuildTarget(string target) =>
             $"the project is built for {target}" + (target.StartsWith("Standalone", StringComparison.Ordinal) ? PcHeadset : "");
 
+        public const string FirstScene = "the open scene is the first one of the build";
+        public const string OtherSceneFirst = "another scene is before the open one; clear its tick in the build list (File, Build Settings)";
+        public const string SceneNotListed =
+            "the build list does not contain the open scene; open the scene of the headset, and select Add Open Scenes in the build list";
+
         public const string NoCamera = "the open scenes have no enabled camera with the tag MainCamera; open the scene of the headset";
         public const string CameraBackground = "the camera clears to a skybox or to another colour";
         public const string NoGraphicsApi = "Unity lists no graphics API for this player, because its module is not installed; add it in Unity Hub";

@@ -14,6 +14,7 @@ namespace Nowpose.Editor.Messages
         public const string ApiLevel = "Api Compatibility Level is .NET Standard 2.1";
         public const string CameraBackground = "Main camera clears to black with alpha 0";
         public const string ClearToBlack = "Clear to black with alpha 0";
+        public const string FirstScene = "The app starts with the open scene";
         public const string FrameTiming = "Frame Timing Stats are on";
         public const string TurnFrameTimingOn = "Turn Frame Timing Stats on";
         public const string GraphicsApi = "Graphics API is Direct3D 11 only";

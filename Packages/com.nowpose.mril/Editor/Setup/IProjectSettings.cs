@@ -22,6 +22,9 @@ namespace Nowpose.Editor.Setup
         /// <summary>Name of the active build target; null if it is the build target of <see cref="Platform"/>.</summary>
         string OtherTarget { get; }
 
+        /// <summary>Whether the app starts with the active scene; null if the build list does not contain this scene.</summary>
+        bool? StartsWithOpenScene { get; }
+
         bool UsesIl2Cpp { get; set; }
 
         /// <summary>Architecture of the UWP player: x86, x64, ARM or ARM64.</summary>

@@ -45,6 +45,16 @@ namespace Nowpose.Editor.Setup
             project => project.RunsInBackground ? CheckResult.Good("on") : CheckResult.Advice("off"),
             CheckTitles.TurnRunInBackgroundOn, ProjectCheck.Always(project => project.RunsInBackground = true));
 
+        /// <summary>Checks whether the app starts with the open scene and not, for example, with the empty scene of a template.</summary>
+        public static ProjectCheck FirstScene { get; } = new ProjectCheck(
+            CheckTitles.FirstScene, CheckReasons.FirstScene,
+            project => project.StartsWithOpenScene switch
+            {
+                true => CheckResult.Good(CheckResults.FirstScene),
+                false => CheckResult.Advice(CheckResults.OtherSceneFirst),
+                null => CheckResult.Advice(CheckResults.SceneNotListed),
+            });
+
         /// <summary>Checks whether the Input System is active. Installing its package does not activate it.</summary>
         public static ProjectCheck InputHandling { get; } = new ProjectCheck(
             CheckTitles.InputHandling, CheckReasons.InputHandling, LookAtInput, CheckTitles.UseInputSystem, project =>

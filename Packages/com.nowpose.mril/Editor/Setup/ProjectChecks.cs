@@ -47,6 +47,7 @@ namespace Nowpose.Editor.Setup
             PlayerChecks.RunInBackground,
             RenderingChecks.CameraBackground,
             RenderingChecks.NearClip,
+            PlayerChecks.FirstScene,
             PackageChecks.MrtkGeneration,
             PackageChecks.Mrtk3,
             NativeWebSocket,
@@ -70,6 +71,7 @@ namespace Nowpose.Editor.Setup
             PlayerChecks.FrameTiming,
             PlayerChecks.RunInBackground,
             RenderingChecks.CameraBackground,
+            PlayerChecks.FirstScene,
             NativeWebSocket,
         };
 

@@ -9,6 +9,7 @@ using UnityEditor.PackageManager;
 using UnityEditor.PackageManager.Requests;
 using UnityEngine;
 using UnityEngine.Rendering;
+using UnityEngine.SceneManagement;
 // This alias is needed because UnityEditor has a type of the same name.
 using PackageInfo = UnityEditor.PackageManager.PackageInfo;
 
@@ -43,6 +44,17 @@ namespace Nowpose.Editor.Setup
         public string OtherTarget => EditorUserBuildSettings.activeBuildTarget == Platform.Target
             ? null
             : EditorUserBuildSettings.activeBuildTarget.ToString();
+
+        public bool? StartsWithOpenScene
+        {
+            get
+            {
+                var (index, count) = (SceneManager.GetActiveScene().buildIndex, SceneManager.sceneCountInBuildSettings);
+                // Without a list, Unity builds the open scene. The index of a scene that is not in the list is -1 or the length of the list.
+                if (count == 0 || index == 0) return true;
+                return index > 0 && index < count ? false : (bool?)null;
+            }
+        }
 
         public bool UsesIl2Cpp
         {

@@ -21,6 +21,7 @@ namespace Nowpose.Tests.Unity.Setup
         public HeadsetPlatform Platform { get; }
         public string EditorVersion { get; set; } = "2022.3.62f1";
         public string OtherTarget => null;
+        public bool? StartsWithOpenScene { get; set; }
         public bool UsesIl2Cpp { get; set; }
         public string Architecture { get; set; }
         public bool TargetsArm64 => false;
