@@ -67,11 +67,15 @@ public sealed class ShaderStructureTests
         Assert.That(shader.SubShaders[0].Passes[0].States, Is.EquivalentTo(shader.SubShaders[1].Passes[0].States));
     }
 
-    /// <summary>The SRP batcher requires that this buffer contains every property except textures, and that it is the same in every pass.</summary>
+    /// <summary>
+    /// The SRP batcher requires that this buffer contains every property except textures and render states, and that it is the same in every pass.
+    /// </summary>
     [TestCaseSource(nameof(Programs))]
     public void Program_MaterialBuffer_ContainsAllProperties(PassProgram program)
     {
-        var expected = program.Shader.Properties.Where(p => p.Type != "2D").Select(p => (p.Name, p.Type is "Color" or "Vector" ? "float4" : "float"));
+        var states = program.Shader.SubShaders.SelectMany(s => s.Passes).SelectMany(p => p.States.Values).ToHashSet();
+        var expected = program.Shader.Properties.Where(p => p.Type != "2D" && !states.Contains($"[ {p.Name} ]"))
+            .Select(p => (p.Name, p.Type is "Color" or "Vector" ? "float4" : "float"));
 
         var buffers = Buffers.Matches(program.OwnText);
 
@@ -128,11 +132,14 @@ public sealed class ShaderStructureTests
     }
 
     [Test]
-    public void HologramShader_Pass_WritesDepth()
+    public void HologramShader_Passes_WriteDepthUnlessTheMaterialSwitchesItOff()
     {
-        var shader = ShaderLabReader.Read(RepositoryFiles.Read(Shaders + "Hologram.shader"), "Hologram.shader");
+        var text = RepositoryFiles.Read(Shaders + "Hologram.shader");
+        var shader = ShaderLabReader.Read(text, "Hologram.shader");
 
-        Assert.That(shader.SubShaders.SelectMany(s => s.Passes).Select(p => p.States["ZWrite"]), Is.Not.Empty.And.All.EqualTo("On"));
+        Assert.That(shader.SubShaders.Select(s => s.Passes[0].States["ZWrite"]), Is.EqualTo(new[] { "[ _ZWrite ]", "[ _ZWrite ]" }));
+        Assert.That(text, Does.Match(@"_ZWrite \(""[^\n]*\) = 1\n"), "a material without the property writes depth");
+        Assert.That(shader.SubShaders[0].Passes[1].States["ZWrite"], Is.EqualTo("On"));
     }
 
     [TestCase("}", "", "'(' is expected")]

@@ -51,13 +51,14 @@ static class MaterialAssets
 
     /// <summary>
     /// Creates the dark material behind the status panel's text. It is nearly invisible on a headset; in the editor, it serves as a background.
+    /// It writes no depth, so that it does not hide the virtual parts behind it.
     /// </summary>
-    public static string Panel(PackageAssets assets) => Make(assets, "Panel", new Color(0.05f, 0.07f, 0.1f, 0.8f), BehindText);
+    public static string Panel(PackageAssets assets) => Make(assets, "Panel", new Color(0.05f, 0.07f, 0.1f, 0.8f), BehindText, writesDepth: false);
 
     /// <summary>Creates the material of a code's lit squares, which are as bright as possible.</summary>
     public static string Timestamp(PackageAssets assets) => Make(assets, "Timestamp", Color.white);
 
-    static string Make(PackageAssets assets, string name, Color colour, int renderQueue = -1)
+    static string Make(PackageAssets assets, string name, Color colour, int renderQueue = -1, bool writesDepth = true)
     {
         var material = new Material(assets.Load<Shader>(PackagePaths.HologramShader))
         {
@@ -68,6 +69,7 @@ static class MaterialAssets
         };
         material.SetFloat("_Fade", 0);
         material.SetFloat("_Hatch", 0);
+        if (!writesDepth) material.SetFloat("_ZWrite", 0);
         return assets.Asset(material);
     }
 }

@@ -84,6 +84,14 @@ public sealed class PackageMaterialsTests
         Assert.That(Load("Ghost").renderQueue, Is.GreaterThan(Load(other).renderQueue));
     }
 
+    /// <summary>The background is drawn before the virtual parts. If it wrote depth, the parts behind it would not be drawn at all.</summary>
+    [Test]
+    public void PanelMaterial_Depth_IsNotWritten()
+    {
+        Assert.That(Load("Panel").HasProperty("_ZWrite"));
+        Assert.That(Load("Panel").GetFloat("_ZWrite"), Is.Zero);
+    }
+
     [TestCase("Occluder", 1990)]
     [TestCase("Solid", 2000)]
     [TestCase("Panel", 2900)]

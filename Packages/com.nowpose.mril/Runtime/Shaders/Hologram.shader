@@ -8,6 +8,8 @@ Shader "Nowpose/Hologram"
         _Color ("Colour (alpha: opacity)", Color) = (0.25, 0.75, 1, 1)
         _Fade ("Fade (0: none, 1: a fifth of the opacity is left)", Range(0, 1)) = 0
         _Hatch ("Hatch (1: stripes)", Range(0, 1)) = 0
+        // Off for a background that is drawn first: with its depth, the parts behind it would not be drawn at all.
+        [Enum(Off, 0, On, 1)] _ZWrite ("Write depth", Float) = 1
     }
 
     SubShader
@@ -30,7 +32,7 @@ Shader "Nowpose/Hologram"
             // The second pair of factors writes the alpha that a mixed reality capture uses.
             Blend SrcAlpha OneMinusSrcAlpha, One OneMinusSrcAlpha
             // Writes depth although the colour is blended, because a HoloLens uses the depth to stabilise the image.
-            ZWrite On
+            ZWrite [_ZWrite]
             Cull Back
 
             HLSLPROGRAM
@@ -69,7 +71,7 @@ Shader "Nowpose/Hologram"
         {
             Name "Hologram"
             Blend SrcAlpha OneMinusSrcAlpha, One OneMinusSrcAlpha
-            ZWrite On
+            ZWrite [_ZWrite]
             Cull Back
 
             CGPROGRAM
