@@ -34,6 +34,32 @@ public sealed class HoloLensPanelTests
     }
 
     [Test]
+    public void Marker_ReleasedTilted_BaseAndMarkerAreUpright()
+    {
+        var anchor = _sample.Child<BaseAnchor>("Base Anchor").transform;
+        var marker = _sample.Child<HandPlacedMarker>("Hand-Placed Marker").transform;
+        var place = new Vector3(0.4f, 0.1f, 2);
+
+        _sample.Grasp("Hand-Placed Marker", m => m.SetPositionAndRotation(place, Quaternion.Euler(0, 60, 0) * Quaternion.Euler(3, 0, -2)));
+
+        Assert.That(Quaternion.Angle(anchor.rotation, Quaternion.Euler(0, 60, 0)), Is.LessThan(0.2));
+        Assert.That(Vector3.Distance(anchor.position, place), Is.LessThan(1e-3));
+        Assert.That(Quaternion.Angle(anchor.rotation, marker.rotation), Is.LessThan(0.1), "the marker stays at the base");
+    }
+
+    [Test]
+    public void Marker_ReleasedTiltedWithoutKeepUpright_BaseIsTilted()
+    {
+        var anchor = _sample.Child<BaseAnchor>("Base Anchor").transform;
+        var rotation = Quaternion.Euler(90, 60, 0);
+        _sample.Child<HandPlacedMarker>("Hand-Placed Marker").With("_keepUpright", false);
+
+        _sample.Grasp("Hand-Placed Marker", m => m.SetPositionAndRotation(new Vector3(0.4f, 0.1f, 2), rotation));
+
+        Assert.That(Quaternion.Angle(anchor.rotation, rotation), Is.LessThan(0.1));
+    }
+
+    [Test]
     public void Panel_GraspedByItsBar_StaysUntilUnpinned()
     {
         var panel = _sample.Child<BodyFollow>("Status Panel (MRTK3)");

@@ -23,6 +23,10 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("The base that this object places if it has no payload. Empty: the first enabled Base Anchor below the session.")]
         BaseAnchor _anchor = null;
 
+        [SerializeField, Tooltip("Keeps the base upright: of the rotation, only the heading counts. A hand turns an object by a few degrees, and "
+            + "2 degrees displace a tool at a reach of 0.6 m by 21 mm. Switch it off for a robot on a wall, a ceiling or a slope.")]
+        bool _keepUpright = true;
+
         string _id;
         MrilSession _session;
         HeadsetTime? _placed;
@@ -66,7 +70,7 @@ namespace Nowpose.Unity
             // Before the first move, the pose is the one in the scene and is unrelated to the room.
             if (!(_placed is HeadsetTime placed)) return;
             var pose = UnityPoses.ToRoom(transform.position, transform.rotation);
-            markers.Add(new MarkerSighting(_id, _payload.Length == 0 ? null : _payload, pose, 0, placed, MarkerTracking.Placed));
+            markers.Add(new MarkerSighting(_id, _payload.Length == 0 ? null : _payload, pose, 0, placed, MarkerTracking.Placed, _keepUpright));
         }
 
         /// <summary>

@@ -19,8 +19,12 @@ namespace Nowpose.Anchoring
         /// <param name="lastSeen">
         /// Time at which a camera last saw the marker. It may be old although <paramref name="tracking"/> is unchanged.
         /// </param>
+        /// <param name="keepsUpright">
+        /// Whether a marker placed by hand gives only the position and the heading of the base, whose z axis then points up. Other markers ignore it.
+        /// </param>
         public MarkerSighting(
-            string id, string payload, in RigidTransform pose, double sizeMetres, HeadsetTime lastSeen, MarkerTracking tracking)
+            string id, string payload, in RigidTransform pose, double sizeMetres, HeadsetTime lastSeen, MarkerTracking tracking,
+            bool keepsUpright = false)
         {
             Id = id;
             Payload = payload;
@@ -28,6 +32,7 @@ namespace Nowpose.Anchoring
             SizeMetres = sizeMetres;
             LastSeen = lastSeen;
             Tracking = tracking;
+            KeepsUpright = keepsUpright;
         }
 
         public string Id { get; }
@@ -36,6 +41,9 @@ namespace Nowpose.Anchoring
         public double SizeMetres { get; }
         public HeadsetTime LastSeen { get; }
         public MarkerTracking Tracking { get; }
+
+        /// <summary>Whether a marker placed by hand gives only the position and the heading of the base, whose z axis then points up.</summary>
+        public bool KeepsUpright { get; }
     }
 
     /// <summary>Quality of a marker's pose according to its source.</summary>

@@ -88,6 +88,12 @@ namespace Nowpose.Kinematics
             get => new UnitQuaternion(-X, -Y, -Z, W);
         }
 
+        /// <summary>
+        /// Rotation about z that remains when the z axis is turned back to its original direction on the shortest way; the identity if the z axis
+        /// points in the opposite direction.
+        /// </summary>
+        public UnitQuaternion AboutZ => Z * Z + W * W < 1e-12 ? Identity : Normalised(0, 0, Z, W);
+
         // In this order, the rounding errors cancel if b is the inverse of a.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static UnitQuaternion operator *(in UnitQuaternion a, in UnitQuaternion b) => Normalised(

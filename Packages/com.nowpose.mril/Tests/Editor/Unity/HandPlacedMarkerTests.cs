@@ -45,6 +45,7 @@ namespace Nowpose.Tests.Unity
 
             Assert.That(_marker.IsMoving, Is.False);
             Assert.That(first.Tracking, Is.EqualTo(MarkerTracking.Placed));
+            Assert.That(first.KeepsUpright, Is.True, "the default");
             Assert.That(first.Payload, Is.Null, "the marker represents the base frame itself");
             Assert.That(new[] { first.Pose.X, first.Pose.Y, first.Pose.Z }, Is.EqualTo(new double[] { 3, -1, 2 }), "in the axes of the URDF");
             Assert.That(second.LastSeen, Is.EqualTo(first.LastSeen), "the marker has not moved since then");

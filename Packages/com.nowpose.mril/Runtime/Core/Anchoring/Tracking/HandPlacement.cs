@@ -22,7 +22,12 @@ namespace Nowpose.Anchoring.Tracking
                 return null;
             }
             _last = sighting.LastSeen;
-            return sighting.Pose * placed.Inverse;
+            var held = sighting.Pose * placed.Inverse;
+            if (!sighting.KeepsUpright) return held;
+            // Turns the base about the marker, so that the marker stays where the person has put it.
+            var upright = UnitQuaternion.Of(held).AboutZ.At(0, 0, 0);
+            var marker = upright * placed;
+            return upright.MovedTo(sighting.Pose.X - marker.X, sighting.Pose.Y - marker.Y, sighting.Pose.Z - marker.Z);
         }
     }
 }

@@ -28,11 +28,11 @@ namespace Nowpose.Tests.Core.Anchoring
 
         HeadsetTime Now => HeadsetTime.FromSeconds(_now);
 
-        void Tick(in RigidTransform pose, HeadsetTime seen, string payload = null)
+        void Tick(in RigidTransform pose, HeadsetTime seen, string payload = null, bool keepsUpright = false)
         {
             _now += 1 / 60.0;
             _sightings.Clear();
-            _sightings.Add(new MarkerSighting("hand", payload, pose, 0, seen, MarkerTracking.Placed));
+            _sightings.Add(new MarkerSighting("hand", payload, pose, 0, seen, MarkerTracking.Placed, keepsUpright));
             _tracker.Tick(Now, _sightings, null, _anchors);
         }
 
@@ -53,6 +53,36 @@ namespace Nowpose.Tests.Core.Anchoring
 
             Assert.That(_tracker.Shown.Value.DistanceTo(elsewhere), Is.EqualTo(0), "the base follows the hand without easing");
             Assert.That(_tracker.State, Is.EqualTo(BaseAnchorState.Searching));
+        }
+
+        // A code on a vertical face, 0.3 m in front of the base and 0.2 m above it.
+        static readonly RigidTransform OnAFace = RigidTransform.FromXyzRpy(0.3, 0, 0.2, Math.PI / 2, 0, Math.PI / 2);
+
+        [TestCase(null, 0, 0)]
+        [TestCase(null, 0.05, -0.03)]
+        [TestCase(null, 2, 0.5)]
+        [TestCase("a", 0.05, -0.03)]
+        public void Tick_MarkerTiltedByTheHand_BaseIsUprightAndTheMarkerStays(string payload, double roll, double pitch)
+        {
+            var inBase = payload == null ? RigidTransform.Identity : OnAFace;
+            if (payload != null) _tracker.Use("cell", new[] { new BaseMarker("a", OnAFace) });
+            var expected = RigidTransform.FromXyzRpy(1, 2, 0.5, 0, 0, 2);
+            var marker = expected * inBase;
+            // The axis of the tilt is horizontal.
+            var held = (PoseNumbers.Turn(roll, pitch, 0) * marker).MovedTo(marker.X, marker.Y, marker.Z);
+
+            Tick(held, Now, payload, keepsUpright: true);
+
+            Assert.That(_tracker.Shown.Value.DistanceTo(expected), Is.LessThan(1e-9));
+            Assert.That(_tracker.Shown.Value.AngleTo(expected), Is.LessThan(1e-9), "rad");
+        }
+
+        [Test]
+        public void Tick_MarkerUpsideDown_BaseIsUpright()
+        {
+            Tick(RigidTransform.FromXyzRpy(1, 2, 0.5, Math.PI, 0, 0.4), Now, keepsUpright: true);
+
+            Assert.That(_tracker.Shown.Value.AngleTo(RigidTransform.Identity), Is.LessThan(1e-9));
         }
 
         [TestCase(null)]
