@@ -20,9 +20,6 @@ public sealed class VersionTests
     [TestCase(RepositoryFiles.Package + "/Runtime/Core/NowposeVersion.cs", @"Text = ""([^""]+)""")]
     [TestCase(RepositoryFiles.Package + "/README.md", @"Assets/Samples/Nowpose/([^/]+)/")]
     [TestCase("CHANGELOG.md", @"(?m)^## \[([^\]]+)\]")]
-    [TestCase(RepositoryFiles.Package + "/package.json", @"""documentationUrl"": ""[^""]+/blob/v([^/]+)/")]
-    [TestCase(RepositoryFiles.Package + "/package.json", @"""changelogUrl"": ""[^""]+/blob/v([^/]+)/")]
-    [TestCase(RepositoryFiles.Package + "/package.json", @"""licensesUrl"": ""[^""]+/blob/v([^/]+)/")]
     [TestCase(RepositoryFiles.Package + "/CHANGELOG.md", @"(?m)^## \[([^\]]+)\]")]
     public void Version_EveryPlace_MatchesThePackage(string path, string pattern)
     {
