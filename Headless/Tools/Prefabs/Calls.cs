@@ -23,9 +23,17 @@ static class Calls
     public static void AddDynamic(Component owner, string eventField, Object target, string method) =>
         Event(owner, eventField).Persistent.Add(PersistentCall.Of(target, method, PersistentListenerMode.EventDefined, null));
 
-    /// <summary>Adds a call to an event that is not a field of a component. The call has a number as argument, or none.</summary>
-    public static void Add(UnityEvent happened, Object target, string method, float? argument) => happened.Persistent.Add(
-        PersistentCall.Of(target, method, argument.HasValue ? PersistentListenerMode.Float : PersistentListenerMode.Void, argument));
+    /// <summary>Adds a call to an event that is not a field of a component. The argument is a float, a bool, or null for none.</summary>
+    public static void Add(UnityEvent happened, Object target, string method, object argument)
+    {
+        var mode = argument switch
+        {
+            null => PersistentListenerMode.Void,
+            bool => PersistentListenerMode.Bool,
+            _ => PersistentListenerMode.Float,
+        };
+        happened.Persistent.Add(PersistentCall.Of(target, method, mode, argument));
+    }
 
     static UnityEventBase Event(Component owner, string field) => Fields.Get<UnityEventBase>(owner, field);
 }

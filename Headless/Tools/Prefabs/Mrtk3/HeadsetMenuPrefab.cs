@@ -67,11 +67,16 @@ sealed class HeadsetMenuPrefab
     void AddVoice()
     {
         var commands = new List<VoiceCommand>();
-        AddCommand(commands, "overlay connect", nameof(CellActions.ToggleConnected));
+        // A command names the state to which it leads, because a wearer who hears no confirmation says it again.
+        AddCommand(commands, "overlay connect", nameof(CellActions.Connect));
+        AddCommand(commands, "overlay disconnect", nameof(CellActions.Disconnect));
         AddCommand(commands, "overlay lock base", nameof(CellActions.LockBase));
-        AddCommand(commands, "overlay panel", nameof(CellActions.TogglePanel));
-        AddCommand(commands, "overlay ghost", nameof(CellActions.ToggleGhost));
-        AddCommand(commands, "overlay occlusion", nameof(CellActions.ToggleOcclusion));
+        AddCommand(commands, "overlay panel", nameof(CellActions.SetPanel), true);
+        AddCommand(commands, "overlay hide panel", nameof(CellActions.SetPanel), false);
+        AddCommand(commands, "overlay ghost", nameof(CellActions.SetGhost), true);
+        AddCommand(commands, "overlay hide ghost", nameof(CellActions.SetGhost), false);
+        AddCommand(commands, "overlay occlusion", nameof(CellActions.SetOcclusion), true);
+        AddCommand(commands, "overlay no occlusion", nameof(CellActions.SetOcclusion), false);
         AddCommand(commands, "overlay ahead", nameof(CellActions.ChangeNudgeMs), NudgeStepMs);
         AddCommand(commands, "overlay behind", nameof(CellActions.ChangeNudgeMs), -NudgeStepMs);
         AddCommand(commands, "overlay stronger", nameof(CellActions.ChangeOpacity), OpacityStep);
@@ -101,7 +106,7 @@ sealed class HeadsetMenuPrefab
         Calls.AddDynamic(slider, "onValueUpdated", _menu, method);
     }
 
-    void AddCommand(List<VoiceCommand> commands, string keyword, string method, float? argument = null)
+    void AddCommand(List<VoiceCommand> commands, string keyword, string method, object argument = null)
     {
         var command = new VoiceCommand();
         Fields.Set(command, "_keyword", keyword);
