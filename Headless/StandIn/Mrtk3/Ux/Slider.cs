@@ -8,6 +8,8 @@ public class Slider : StatefulInteractable
     [SerializeField] float minValue;
     [SerializeField] float maxValue = 1;
     [SerializeField] float value = 0.5f;
+    [SerializeField] bool useSliderStepDivisions;
+    [SerializeField] int sliderStepDivisions = 1;
     [SerializeField] UnityEvent<SliderEventData> onValueUpdated = new();
 
     public float MinValue
@@ -32,6 +34,18 @@ public class Slider : StatefulInteractable
             this.value = Mathf.Clamp(value, minValue, maxValue);
             onValueUpdated.Invoke(new SliderEventData(before, this.value));
         }
+    }
+
+    public bool UseSliderStepDivisions
+    {
+        get => useSliderStepDivisions;
+        set => useSliderStepDivisions = value;
+    }
+
+    public int SliderStepDivisions
+    {
+        get => sliderStepDivisions;
+        set => sliderStepDivisions = value;
     }
 
     public UnityEvent<SliderEventData> OnValueUpdated => onValueUpdated;
