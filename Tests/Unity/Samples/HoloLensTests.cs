@@ -80,6 +80,16 @@ public sealed class HoloLensTests
         Assert.That(_sample.Child<Slider>("L_visu Nudge").Value, Is.Zero);
     }
 
+    /// <summary>The hand that carries the menu moves with the sliders, so a step must be wider than its tremor.</summary>
+    [Test]
+    public void NudgeSlider_Steps_AreOneMillisecond()
+    {
+        var slider = _sample.Child<Slider>("L_visu Nudge");
+
+        Assert.That(slider.UseSliderStepDivisions);
+        Assert.That((slider.MaxValue - slider.MinValue) / slider.SliderStepDivisions, Is.EqualTo(1));
+    }
+
     [Test]
     public void LockBase_ButtonOrVoiceCommand_LocksTheBaseAgain([Values] bool said)
     {

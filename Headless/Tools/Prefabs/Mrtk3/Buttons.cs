@@ -44,7 +44,8 @@ sealed class Buttons
         return toggle;
     }
 
-    public Slider Slider(string name, float min, float max, float value, Vector2 place)
+    /// <param name="steps">Number of steps between the ends; 0 for a continuous slider.</param>
+    public Slider Slider(string name, float min, float max, float value, Vector2 place, int steps = 0)
     {
         var made = Instance(ForeignPaths.Slider, name, place);
         made.transform.localPosition = new Vector3(0, 0, SliderDepth);
@@ -52,6 +53,9 @@ sealed class Buttons
         Fields.Set(slider, "minValue", min);
         Fields.Set(slider, "maxValue", max);
         Fields.Set(slider, "value", value);
+        if (steps == 0) return slider;
+        Fields.Set(slider, "useSliderStepDivisions", true);
+        Fields.Set(slider, "sliderStepDivisions", steps);
         return slider;
     }
 

@@ -58,7 +58,8 @@ sealed class HeadsetMenuPrefab
 
     void AddSliders()
     {
-        Slide("_nudge", _buttons.Slider("L_visu Nudge", -NudgeMs, NudgeMs, 0, new Vector2(0, -22)), nameof(HeadsetMenu.SlideNudge));
+        const int steps = (int)(2 * NudgeMs / NudgeStepMs);
+        Slide("_nudge", _buttons.Slider("L_visu Nudge", -NudgeMs, NudgeMs, 0, new Vector2(0, -22), steps), nameof(HeadsetMenu.SlideNudge));
         Fields.Set(_menu, "_nudgeWords", Canvases.AddText(_assets, "L_visu Nudge Words", _canvas, new Vector3(0, -10, 0)));
         Slide("_opacity", _buttons.Slider("Opacity", 0, 1, 1, new Vector2(0, -54)), nameof(HeadsetMenu.SlideOpacity));
         Fields.Set(_menu, "_opacityWords", Canvases.AddText(_assets, "Opacity Words", _canvas, new Vector3(0, -42, 0)));
