@@ -87,21 +87,24 @@ static class HoloLensPrefabs
     }
 
     /// <summary>
-    /// Creates the consent prompt. It follows the user in front of the panel and within reach, so that the user cannot overlook it.
+    /// Creates the consent prompt. It follows the user in front of the panel and within reach, so that the user cannot overlook it. It is nearer
+    /// than the surface with the code at which the user looks, and soon follows a user who steps back from this surface.
     /// </summary>
     public static string Consent(PackageAssets assets)
     {
         var root = new GameObject("Consent Prompt");
-        Fields.Set(root.AddComponent<BodyFollow>(), "_distanceMetres", 0.6f);
+        var follow = root.AddComponent<BodyFollow>();
+        Fields.Set(follow, "_distanceMetres", 0.45f);
+        Fields.Set(follow, "_moveMetres", 0.2f);
         var prompt = root.AddComponent<ConsentPrompt>();
         var content = Children.Add("Content", root.transform);
         var canvas = Canvases.Add(content.transform, Vector3.zero);
-        Canvases.AddGround(assets, canvas, new Vector3(0, 0, 4), new Vector2(400, 180));
-        var question = Canvases.AddText(assets, "Question", canvas, new Vector3(0, 40, 0));
-        question.transform.localScale *= 1.5f;
+        Canvases.AddGround(assets, canvas, new Vector3(0, 0, 4), new Vector2(300, 150));
+        var question = Canvases.AddText(assets, "Question", canvas, new Vector3(0, 25, 0));
+        question.transform.localScale *= 1.125f;
         var buttons = new Buttons(assets, canvas);
-        var accept = buttons.Button("Accept", "Accept", new Vector2(-40, -60));
-        var refuse = buttons.Button("Refuse", "Refuse", new Vector2(40, -60));
+        var accept = buttons.Button("Accept", "Accept", new Vector2(-40, -45));
+        var refuse = buttons.Button("Refuse", "Refuse", new Vector2(40, -45));
         // The component does the same for the buttons of the user's own prompts. MRTK3 then also shows no label with a keyword.
         Fields.Set(accept, "allowSelectByVoice", false);
         Fields.Set(prompt, "_content", content);

@@ -15,7 +15,7 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("The object to follow. Empty: the main camera, which is the wearer's head.")]
         Transform _head = null;
 
-        [SerializeField, Range(0.5f, 5), Tooltip("Distance from the head in metres. Default 1.3: a headset's image is sharp at arm's length "
+        [SerializeField, Range(0.3f, 5), Tooltip("Distance from the head in metres. Default 1.3: a headset's image is sharp at arm's length "
             + "and beyond.")]
         float _distanceMetres = 1.3f;
 
