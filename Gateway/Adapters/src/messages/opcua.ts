@@ -11,11 +11,6 @@ export const opcuaSettingMessages = {
   notOpen: (mode: string) => `not used with security.mode: ${mode}, because the connection is secure; remove this entry`,
   passwordAndCertificate: (name: string) =>
     `the user ${name} has a name and a certificate; keep either name and password_file or certificate and key`,
-  noPart: (part: string) => `missing; add the path of the user's ${part}, a PEM file`,
-  otherKey: 'the key does not belong to plant.user.certificate; enter a certificate and its key',
-  noCertificate: 'the file contains no certificate; enter a certificate in DER or PEM format (-----BEGIN CERTIFICATE-----)',
-  encryptedKey: 'the key is encrypted with a password, which cannot be entered at startup; use a file with an unencrypted key',
-  noKey: 'the file contains no private key; enter a key in PEM format (-----BEGIN PRIVATE KEY-----)',
 };
 
 /** Messages about certificates and their folder. */

@@ -1,5 +1,6 @@
 import type { AdapterContext } from '../adapter';
 import { requireAddress } from '../configuration/address';
+import { type CertificateAndKey, userCertificateIn } from '../configuration/certificateFiles';
 import { type Configuration, isLoopback } from '../configuration/configuration';
 import type { PlantFile } from '../configuration/plantFile';
 import { requirePlain } from '../configuration/plain';
@@ -7,7 +8,7 @@ import { secretText } from '../configuration/secret';
 import { type User, userIn } from '../configuration/user';
 import type { YamlFile } from '../configuration/yamlFile';
 import { brokerMessages } from '../messages/broker';
-import { configurationMessages } from '../messages/configuration';
+import { certificateFileMessages, configurationMessages } from '../messages/configuration';
 
 /** The address of a broker and the login credentials, including the contents of the files that the configuration names. */
 export interface BrokerAddress {
@@ -17,6 +18,8 @@ export interface BrokerAddress {
   /** Certificate of the authority that issued the broker's certificate; null for the authorities that this machine trusts. */
   authority: string | null;
   user: User | null;
+  /** Certificate of this client; null if it has none. */
+  userCertificate: CertificateAndKey | null;
 }
 
 type BrokerSection = PlantFile<'mqtt' | 'broker'>['plant'];
@@ -27,12 +30,14 @@ export function brokerOf(file: YamlFile, section: BrokerSection, configuration: 
   const isOpen = endpoint.startsWith('mqtt:');
   requireAddress(file, ['plant', 'endpoint'], endpoint);
   requirePlain(file, section);
-  if (user !== undefined && isOpen && !isLoopback(endpoint)) file.report(['plant', 'user'], configurationMessages.passwordInClear('mqtts://'));
+  if (user?.name !== undefined && isOpen && !isLoopback(endpoint)) file.report(['plant', 'user'], configurationMessages.passwordInClear('mqtts://'));
+  if (user?.certificate !== undefined && isOpen) file.report(['plant', 'user', 'certificate'], certificateFileMessages.withoutTls);
   return {
     endpoint,
     isPlain: isOpen && plain === true,
     authority: authority === undefined ? null : secretText(file, ['plant', 'authority_file'], authority, false),
     user: userIn(file, user, configuration, environment),
+    userCertificate: userCertificateIn(file, user),
   };
 }
 

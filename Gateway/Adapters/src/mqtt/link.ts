@@ -1,7 +1,7 @@
 import { randomBytes } from 'node:crypto';
 import { connect, type IClientOptions, type MqttClient } from 'mqtt';
 import { reconnecting } from '../backoff';
-import { isOtherName, isUnknownHost, isUntrusted } from '../connectionErrors';
+import { isCertificateRefused, isOtherName, isUnknownHost, isUntrusted } from '../connectionErrors';
 import type { BrokerAddress } from './address';
 import { brokerMessages } from '../messages/broker';
 import { PacketLimit } from './packetLimit';
@@ -120,7 +120,7 @@ export class MqttLink {
   }
 
   #options(): IClientOptions {
-    const { user, authority } = this.broker;
+    const { user, authority, userCertificate } = this.broker;
     return {
       protocolVersion: this.#version,
       clientId: `nowpose-${this.name}-${randomBytes(4).toString('hex')}`,
@@ -133,6 +133,7 @@ export class MqttLink {
       ...(this.#version === 5 ? { properties: { maximumPacketSize: MAX_PACKET } } : {}),
       ...(user === null ? {} : { username: user.name, password: user.password }),
       ...(authority === null ? {} : { ca: authority }),
+      ...(userCertificate === null ? {} : { cert: userCertificate.certificate, key: userCertificate.key }),
       ...this.options,
     };
   }
@@ -178,6 +179,7 @@ function inWords(failure: (Error & { code?: string | number }) | null, endpoint:
   if (isVersionRefused(failure) && version === 5) return brokerMessages.noMqtt5(endpoint);
   if (typeof code === 'number') return brokerMessages.refusesWith(endpoint, message);
   if (isOtherName(code)) return brokerMessages.otherHost(endpoint);
+  if (isCertificateRefused(code)) return brokerMessages.certificateRefused(String(code));
   if (isUntrusted(code)) return brokerMessages.notTrusted(String(code));
   return brokerMessages.noBroker(endpoint, failure === null ? 'connection closed' : String(code ?? message));
 }

@@ -1,15 +1,14 @@
 import type { Kind } from '../adapter';
 import { requireAddress } from '../configuration/address';
 import { besides } from '../configuration/besides';
+import { type CertificateAndKey, requireCertificate, userCertificateIn } from '../configuration/certificateFiles';
 import { type Configuration, readNames } from '../configuration/configuration';
 import type { PlantFile } from '../configuration/plantFile';
 import { shown } from '../configuration/problem';
-import { secretText } from '../configuration/secret';
 import { requireTiming } from '../configuration/timing';
 import { type User, userIn } from '../configuration/user';
 import type { Path, YamlFile } from '../configuration/yamlFile';
 import type { TimeUnit } from '../samples/timeUnit';
-import { requireCertificate, requirePair } from './security/certificateFiles';
 import { folderTrouble, tryFolder } from './security/folder';
 import { configurationMessages } from '../messages/configuration';
 import { summaryMessages } from '../messages/gateway';
@@ -32,7 +31,7 @@ export interface OpcUaSettings {
   endpoint: string;
   security: SecuritySettings;
   user: User | null;
-  userCertificate: { certificate: string; key: string } | null;
+  userCertificate: CertificateAndKey | null;
   timestamp: NonNullable<Section['timestamp']>;
   time: { node: string; unit: TimeUnit | null } | null;
   samplingMs: number;
@@ -54,7 +53,7 @@ export const opcua: Kind<'opcua', OpcUaSettings> = {
       endpoint,
       security: securityOf(file, plant, environment),
       user: userOf(file, plant, configuration, environment),
-      userCertificate: userCertificateOf(file, plant),
+      userCertificate: userCertificateIn(file, plant.user),
       timestamp,
       time: time === undefined ? null : { unit: null, ...time },
       samplingMs,
@@ -108,17 +107,7 @@ function securityOf(file: YamlFile, { security }: Section, environment: NodeJS.P
 
 function userOf(file: YamlFile, { user, security }: Section, configuration: Configuration, environment: NodeJS.ProcessEnv): User | null {
   if (user?.name !== undefined && security.mode === 'none') file.report(['plant', 'user'], configurationMessages.passwordInClear('sign_and_encrypt'));
+  if (user?.name !== undefined && (user.certificate ?? user.key) !== undefined)
+    file.report(['plant', 'user', 'certificate'], opcuaSettingMessages.passwordAndCertificate(shown(user.name)));
   return userIn(file, user, configuration, environment);
-}
-
-function userCertificateOf(file: YamlFile, { user }: Section): OpcUaSettings['userCertificate'] {
-  if (user?.certificate === undefined && user?.key === undefined) return null;
-  const at = ['plant', 'user'] as const;
-  if (user.name !== undefined) file.report([...at, 'certificate'], opcuaSettingMessages.passwordAndCertificate(shown(user.name)));
-  for (const part of ['certificate', 'key'] as const) if (user[part] === undefined) file.report([...at, part], opcuaSettingMessages.noPart(part));
-  const certificate = user.certificate && secretText(file, [...at, 'certificate'], user.certificate, false);
-  const key = user.key && secretText(file, [...at, 'key'], user.key, true);
-  if (!certificate || !key) return null;
-  requirePair(file, at, { ...user, certificate, key });
-  return { certificate, key };
 }

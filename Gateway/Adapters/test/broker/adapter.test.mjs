@@ -135,7 +135,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     t.after(() => client.endAsync(true));
     client.on('message', topic => heard.push(topic.slice(TOPIC.length + 1)));
     await client.subscribeAsync(`${TOPIC}/#`);
-    const settings = { broker: { endpoint: broker.url, user: null, authority: null }, topic: TOPIC, direction: 'publish' };
+    const settings = { broker: { endpoint: broker.url, user: null, authority: null, userCertificate: null }, topic: TOPIC, direction: 'publish' };
     const link = new BrokerLink(settings, 'hall', [], { opened: () => {}, away: () => {}, heard: () => {}, malformed: () => {} });
     for (const topic of ['signals/closed', 'tf_static/table']) link.publishRetained(topic, '{}');
     link.isGatewayOpen = true;
@@ -150,7 +150,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
 
   it('Message_ListenerThrows_IsCountedAndTheNextMessageIsProcessed', async t => {
     const broker = await Mosquitto.start(t), heard = [], problems = [], ending = new AbortController();
-    const settings = { broker: { endpoint: broker.url, user: null, authority: null }, topic: TOPIC, direction: 'subscribe' };
+    const settings = { broker: { endpoint: broker.url, user: null, authority: null, userCertificate: null }, topic: TOPIC, direction: 'subscribe' };
     const link = new BrokerLink(settings, 'hall', ['joint_states'], {
       opened: () => {}, away: () => {},
       heard: (topic, payload) => heard.push(JSON.parse(payload)),

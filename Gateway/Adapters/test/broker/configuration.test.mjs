@@ -7,7 +7,7 @@ import { check } from '../program.mjs';
 import { temporaryFile } from '../temporary.mjs';
 import { messages } from '../messages.mjs';
 
-const { brokerSettingMessages, configurationMessages } = messages;
+const { brokerSettingMessages, certificateFileMessages, configurationMessages } = messages;
 
 describe('broker configuration', () => {
   const plant = more => `plant:\n  kind: broker\n  direction: subscribe\n  endpoint: mqtt://127.0.0.1\n  topic: nowpose/cell\n${more}`;
@@ -23,6 +23,8 @@ describe('broker configuration', () => {
     ['PasswordInEndpoint', plant('').replace('mqtt://', 'mqtt://me:word@'), 'line 4: plant.endpoint: value "mqtt://***@127.0.0.1"; '],
     ['PasswordOverOpenConnection', plant('  clock: { host: a }\n  plain: true\n  user: { name: me, password_file: none }\n').replace('127.0.0.1', '10.0.0.5'),
       `line 8: plant.user: ${configurationMessages.passwordInClear('mqtts://')}`],
+    ['CertificateOverOpenConnection', plant('  clock: { host: a }\n  user: { certificate: a.pem, key: b.pem }\n'), `line 7: plant.user.certificate: ${certificateFileMessages.withoutTls}`],
+    ['KeyWithoutCertificate', plant('  clock: { host: a }\n  user: { key: b.pem }\n').replace('mqtt:', 'mqtts:'), `line 7: plant.user.certificate: ${certificateFileMessages.noPart('certificate')}`],
   ])
     it(`Check_${name}_NamesItsLine`, () => {
       const lines = wrongIn(temporaryFile('broker.yaml', text));

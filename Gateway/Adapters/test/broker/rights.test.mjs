@@ -33,7 +33,7 @@ async function publisher(t) {
 function publisherWith(t, broker) {
   const ending = new AbortController(), listeners = {}, watchers = [], lines = [];
   const status = new AdapterStatus('broker', new Log('plant/hall', [], line => lines.push(line), () => {}));
-  const settings = { broker: { endpoint: broker.url, user: null, authority: null }, topic: TOPIC, direction: 'publish', namespaces: [''] };
+  const settings = { broker: { endpoint: broker.url, user: null, authority: null, userCertificate: null }, topic: TOPIC, direction: 'publish', namespaces: [''] };
   const gateway = {
     isOpen: true, watch: watcher => watchers.push(watcher), subscribe: (topic, listen) => { listeners[topic] = listen; },
   };
@@ -275,7 +275,7 @@ describe('rights on a broker', () => {
       broker.refuses = () => null;
       broker.answered = (_, socket) => end(socket);
       t.after(() => ending.abort());
-      const link = new MqttLink({ endpoint: broker.url, user: null, authority: null }, 'hall', ['a'], {
+      const link = new MqttLink({ endpoint: broker.url, user: null, authority: null, userCertificate: null }, 'hall', ['a'], {
         opened: () => {}, away: reason => reasons.push(reason), refused: topic => refusals.push(topic), heard: () => {}, malformed: () => {},
       });
 

@@ -11,7 +11,7 @@ import { adapterFor, configuration, OPEN } from './plant.mjs';
 import { YoubotServer } from './server.mjs';
 import { ANY, like, messages } from '../messages.mjs';
 
-const { certificateMessages, configurationMessages, fileMessages, opcuaRefusalMessages, opcuaSettingMessages } = messages;
+const { certificateFileMessages, certificateMessages, configurationMessages, fileMessages, opcuaRefusalMessages, opcuaSettingMessages } = messages;
 
 const JOINTS = [{ joint: 'a', node: 'ns=1;s=arm_joint_1' }];
 const PASSWORD = 'correct-horse-battery', WITH_PASSWORD = { env: { NOWPOSE_PLANT_PASSWORD_CELL: PASSWORD } };
@@ -157,10 +157,12 @@ describe('security in the configuration', () => {
     ['PasswordInFile', ['user: {name: me, password: hush-hush}'], `line 7: plant.user.password: ${configurationMessages.unknownEntry('password_file', [])}`],
     ['PasswordOverOpenConnection', ['security: {mode: none, i_know_this_is_open: true}', 'user: {name: me}'], `line 8: plant.user: ${configurationMessages.passwordInClear('sign_and_encrypt')}`],
     ['NoPassword', ['user:', '  name: me'], `line 7: plant.user.password_file: ${configurationMessages.noPassword('NOWPOSE_PLANT_PASSWORD_CELL', 'NOWPOSE_PLANT_PASSWORD')}`],
-    ['CertificateWithoutKey', ['user: {certificate: plant.yaml}'], `line 7: plant.user.key: ${opcuaSettingMessages.noPart('key')}`],
+    ['PasswordWithoutName', ['user:', '  password_file: none'], 'line 7: plant.user.name: missing, but password_file needs it; '],
+    ['NoEntryOfTheUser', ['user: {}'], 'line 7: plant.user: value {}; '],
+    ['CertificateWithoutKey', ['user: {certificate: plant.yaml}'], `line 7: plant.user.key: ${certificateFileMessages.noPart('key')}`],
     ['FlagWithoutModeNone', ['security:', '  i_know_this_is_open: true'], `line 8: plant.security.i_know_this_is_open: ${opcuaSettingMessages.notOpen('sign_and_encrypt')}`],
     ['NoServerCertificate', ['security:', '  server_certificate: none.der'], `line 8: plant.security.server_certificate: ${fileMessages.notReadable('none.der', 'ENOENT')}`],
-    ['ServerCertificateNotACertificate', ['security:', '  server_certificate: plant.yaml'], `line 8: plant.security.server_certificate: ${opcuaSettingMessages.noCertificate}`],
+    ['ServerCertificateNotACertificate', ['security:', '  server_certificate: plant.yaml'], `line 8: plant.security.server_certificate: ${certificateFileMessages.noCertificate}`],
     ['TimeWithoutNode', ['timestamp: variable'], `line 7: plant.timestamp: ${configurationMessages.noTimeVariable('node')}`],
     ['TimeNotUsed', ['timestamp: source', 'time: {node: i=2258}'], `line 8: plant.time: ${configurationMessages.unusedTime('source')}`],
     ['PublishingFasterThanSampling', ['sampling_ms: 20', 'publishing_ms: 10'], `line 8: plant.publishing_ms: ${configurationMessages.publishingTooShort(10, 20)}`],
@@ -182,10 +184,10 @@ describe('security in the configuration', () => {
 
     assert.equal(wrong(me.certificateFile, me.privateKeyFile), '');
     for (const [certificate, key, expected] of [
-      [none, me.privateKeyFile, `line 8: plant.user.certificate: ${opcuaSettingMessages.noCertificate}`],
-      [me.certificateFile, none, `line 9: plant.user.key: ${opcuaSettingMessages.noKey}`],
-      [me.certificateFile, closed, `line 9: plant.user.key: ${opcuaSettingMessages.encryptedKey}`],
-      [me.certificateFile, other.privateKeyFile, `line 9: plant.user.key: ${opcuaSettingMessages.otherKey}`],
+      [none, me.privateKeyFile, `line 8: plant.user.certificate: ${certificateFileMessages.noCertificate}`],
+      [me.certificateFile, none, `line 9: plant.user.key: ${certificateFileMessages.noKey}`],
+      [me.certificateFile, closed, `line 9: plant.user.key: ${certificateFileMessages.encryptedKey}`],
+      [me.certificateFile, other.privateKeyFile, `line 9: plant.user.key: ${certificateFileMessages.otherKey}`],
     ])
       assert.ok(wrong(certificate, key).includes(expected), wrong(certificate, key));
   });
