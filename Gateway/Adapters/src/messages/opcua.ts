@@ -47,8 +47,9 @@ export const opcuaMessages = {
   subscriptionStatus: (status: string) => `the server ended the subscription (${status})`,
   slow: (samplingMs: number, publishingMs: number) =>
     `the server samples every ${samplingMs} ms and sends every ${publishingMs} ms, less often than requested, so headsets show moving joints and `
-    + 'objects mostly as held; lower the minimum sampling and publishing intervals of the server (in TIA Portal: OPC UA > Server), or set '
-    + 'plant.sampling_ms and plant.publishing_ms to these values',
+    + 'objects less accurately, and with more than 100 ms mostly as held; lower the minimum sampling and publishing intervals of the server (TIA '
+    + 'Portal: OPC UA > Server; Codesys: ItemMinSamplingRate below [CmpOPCUAServer] in CODESYSControl.cfg), or set plant.sampling_ms and '
+    + 'plant.publishing_ms to these values',
   stampsAhead: (apartMs: number) =>
     `the source timestamps of all changes are at least ${apartMs.toFixed(1)} ms later than the server's; ${ONE_CLOCK}`,
   stampsBehind: (apartMs: number) =>
@@ -88,6 +89,8 @@ export const nodeMessages = {
   otherNamespaces: 'the server has other namespaces now',
   unknown: (place: string, node: string, status: string) =>
     `${place}: value ${node}; the server returned ${status}; look up the node id in an OPC UA browser`,
+  noneReadable: (problems: string) =>
+    `${problems}; no value can be read: check that the PLC publishes its variables on this server, and the rights of plant.user`,
   gone: (place: string, node: string, status: string) => `${place}: value ${node}; the server no longer has this node (${status})`,
   notMonitored: (place: string, status: string) => `${place}: the server returned ${status}`,
   missing: (node: string, status: string) => `the server has no node ${node} (${status})`,

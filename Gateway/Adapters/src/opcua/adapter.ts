@@ -20,8 +20,8 @@ import { Refused, refusalOf } from './troubles';
 import { ServerSilence } from './serverSilence';
 import { certificateMessages, nodeMessages, opcuaMessages } from '../messages/opcua';
 
-/** Interval of sampling or publishing above which headsets show a moving robot mostly as held. They show a sample for about 300 ms. */
-const SLOW_MS = 100;
+/** Interval of sampling or publishing above which the positions of a moving robot are less accurate. With more than 100 ms, it is mostly held. */
+const SLOW_MS = 50;
 
 /** Reads an OPC UA server, and reconnects after failures, until the adapter is stopped. */
 export async function run(context: AdapterContext<OpcUaSettings>): Promise<void> {
@@ -176,8 +176,10 @@ function refuseUnknown(map: NodeMap, silent: SilentNodes, refusals: (string | nu
     const text = lost.get(node) ?? nodeMessages.unknown(map.whereIs(node), nodes[node], refusal);
     return [{ node, reason: reasonNotMonitored(refusal), text }];
   });
-  if (wrong.some(({ node }) => node >= valueNodes.length) || (wrong.length > 0 && wrong.length >= valueNodes.length))
-    throw new Refused(wrong.map(({ text }) => text).join('; '));
+  const problems = wrong.map(({ text }) => text).join('; ');
+  const wrongValues = wrong.filter(({ node }) => node < valueNodes.length).length;
+  if (wrongValues > 0 && wrongValues === valueNodes.length) throw new Refused(nodeMessages.noneReadable(problems));
+  if (wrongValues < wrong.length) throw new Refused(problems);
   for (const { node, ...refusal } of wrong) silent.refused(node, refusal);
 }
 

@@ -9,6 +9,7 @@ import {
   type DataValue,
   makeBrowsePath,
   MessageSecurityMode,
+  type ModifySubscriptionOptions,
   OPCUAClient,
   SecurityPolicy,
   TimestampsToReturn,
@@ -40,6 +41,7 @@ const ALLOWED = new Set([
   'ReadRequest',
   'TranslateBrowsePathsToNodeIdsRequest',
   'CreateSubscriptionRequest',
+  'ModifySubscriptionRequest',
   'DeleteSubscriptionsRequest',
   'CreateMonitoredItemsRequest',
   'DeleteMonitoredItemsRequest',
@@ -196,15 +198,17 @@ export class ReadOnlySession {
   async monitor(nodes: string[], heard: (values: NodeValue[]) => void, alive: (isQuiet: boolean) => void): Promise<Monitoring> {
     const { samplingMs, publishingMs } = this.settings;
     const subscription = await this.#session!.createSubscription2({
-      requestedPublishingInterval: publishingMs,
-      requestedMaxKeepAliveCount: Math.max(1, Math.ceil(KEEP_ALIVE_MS / publishingMs)),
-      requestedLifetimeCount: Math.max(3, Math.ceil(LIFETIME_MS / publishingMs)),
+      ...countsFor(publishingMs),
+      // The library never finishes the request if this count times the granted interval, which is not known yet, exceeds the session's timeout.
+      requestedMaxKeepAliveCount: 1,
       maxNotificationsPerPublish: 0,
       publishingEnabled: true,
       priority: 100,
     });
     subscription.on('terminated', () => this.#end(opcuaMessages.subscriptionEnded));
     subscription.on('status_changed', status => this.#end(opcuaMessages.subscriptionStatus(status.name)));
+    // Otherwise, a lost connection would leave the subscription on a slow server for many minutes. A server without this service keeps the counts.
+    await subscription.modify(countsFor(subscription.publishingInterval)).catch(() => {});
     this.#heard = heard;
     subscription.on('raw_notification', message => {
       const data = message.notificationData ?? [];
@@ -278,6 +282,13 @@ export class ReadOnlySession {
     return groups;
   }
 }
+
+/** Gets the counts of a subscription, which are multiples of its publishing interval. */
+const countsFor = (publishingMs: number): ModifySubscriptionOptions => ({
+  requestedPublishingInterval: publishingMs,
+  requestedMaxKeepAliveCount: Math.max(1, Math.ceil(KEEP_ALIVE_MS / publishingMs)),
+  requestedLifetimeCount: Math.max(3, Math.ceil(LIFETIME_MS / publishingMs)),
+});
 
 const itemsOf = (groups: ClientMonitoredItemGroup[]): ClientMonitoredItem[] => groups.flatMap(group => group.monitoredItems as ClientMonitoredItem[]);
 

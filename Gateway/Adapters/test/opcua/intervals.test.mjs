@@ -13,7 +13,10 @@ const JOINTS = ['arm_joint_1', 'arm_joint_2'].map(joint => ({ joint, node: `ns=1
 
 describe('minimum intervals of an OPC UA server', { concurrency: 2 }, () => {
   for (const [minimumMs, plant, notice] of [
-    [100, [], undefined],
+    [50, [], undefined],
+    // The default of Codesys.
+    [100, [], opcuaMessages.slow(100, 100)],
+    [100, ['sampling_ms: 100'], undefined],
     [500, [], opcuaMessages.slow(500, 500)],
     [500, ['sampling_ms: 500'], undefined],
   ])
@@ -29,6 +32,16 @@ describe('minimum intervals of an OPC UA server', { concurrency: 2 }, () => {
       assert.ok(reads <= 2, `${reads} reads during ${bridge.jointStates.length - count} samples`);
       await until(() => bridge.state?.publishing_ms === String(minimumMs), () => JSON.stringify(bridge.state));
       assert.equal(bridge.state.notice, notice);
+    });
+
+  for (const [minimumMs, keepAliveMs, lifetimeMs] of [[1, 1000, 15_000], [100, 1000, 15_000], [1000, 2000, 15_000], [4000, 8000, 24_000]])
+    // This server sends at most every second interval without changes, and waits for three times as long.
+    it(`Intervals_Minimum${minimumMs}Ms_SubscriptionEndsSoonAfterALostConnection`, async t => {
+      const server = await serverFor(t, { minimumMs }), { state } = await adapterFor(t, server, OPEN, JOINTS);
+
+      await state(({ state: now }) => now === 'connected');
+
+      assert.deepEqual(server.subscription, { keepAliveMs, lifetimeMs });
     });
 
   it('Intervals_Minimum500MsForSignals_AreNoNotice', async t => {

@@ -82,6 +82,8 @@ export class YoubotServer {
   /** Replaces a value before it is sent: receives the value that the server would send, and returns the value that it sends. */
   spoil = (name, sent) => sent;
   isStopped = false;
+  /** Durations of the newest subscription: without a message, and without a request of the client. */
+  subscription = null;
   /** Converts a time of the control system to the time of the motion, which does not advance while the robot is at rest. */
   motion = t => t;
   /** Whether an unchanged value keeps its time stamp. The server then sends no notification of it. */
@@ -144,9 +146,14 @@ export class YoubotServer {
       if (name === 'ReadRequest' && request.nodesToRead.some(({ nodeId: { namespace, value } }) => namespace === 1 && !value.endsWith?.('.EngineeringUnits'))) this.valueReads++;
       if (name === 'ReadRequest') this.largestRead = Math.max(this.largestRead, request.nodesToRead.length);
       const atLeast = ms => Math.max(ms, this.minimumMs);
-      if (name === 'CreateSubscriptionRequest') request.requestedPublishingInterval = atLeast(request.requestedPublishingInterval);
+      if (/^(Create|Modify)SubscriptionRequest$/.test(name)) request.requestedPublishingInterval = atLeast(request.requestedPublishingInterval);
       if (name === 'CreateMonitoredItemsRequest')
         for (const { requestedParameters: asked } of request.itemsToCreate) asked.samplingInterval = atLeast(asked.samplingInterval);
+    });
+    this.#server.on('response', response => {
+      if (!/^(Create|Modify)SubscriptionResponse$/.test(response.schema.name)) return;
+      const { revisedPublishingInterval: ms, revisedMaxKeepAliveCount: quiet, revisedLifetimeCount: all } = response;
+      this.subscription = { keepAliveMs: ms * quiet, lifetimeMs: ms * all };
     });
     await this.#server.initialize();
     this.#build(this.#server.engine.addressSpace);
