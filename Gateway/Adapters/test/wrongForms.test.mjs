@@ -69,7 +69,7 @@ const VALID = {
     ...cell(id => ({ field: `data.${id}` }), { topic: '/t', type: 'std_msgs/X' }),
   },
   mqtt: {
-    plant: { kind: 'mqtt', name: 'cell', ...broker, time: { field: 't', unit: 'ns' }, group_ms: 5, ...rest },
+    plant: { kind: 'mqtt', name: 'cell', ...broker, time: { field: 't', unit: 'iso', zone: 'UTC' }, group_ms: 5, ...rest },
     ...cell(id => ({ topic: 'cell', field: `data.${id}` })), robot: 'ur5', robots,
   },
   broker: {

@@ -19,7 +19,7 @@ export interface Address {
   node?: string;
   index?: number;
   symbol?: string;
-  field?: string;
+  field?: string | (string | number)[];
   bit?: number;
   topic?: string;
   type?: string;

@@ -51,6 +51,13 @@ export const mqttMessages = {
   retained: 'only a retained message of unknown age has arrived; the value is used after the next message',
   empty: (topic: string) => `the message on ${topic} is empty, as when a retained message is deleted; publish a value`,
   notJson: (topic: string) => `the message on ${topic} is not valid JSON; publish an object, a list, a number, true or false`,
+  sparkplug: (topic: string) =>
+    `the message on ${topic} is not JSON: topics of Sparkplug B (spBv1.0/) have binary messages, which this adapter does not read; use a bridge that `
+    + 'publishes JSON',
+  noZone: (topic: string, field: string) =>
+    `the time in the field ${field} of the message on ${topic} has no time zone; let the publisher add one, or set plant.time.zone to UTC or to an `
+    + 'offset such as +01:00',
+  zoneWithoutIso: 'not used with this unit, because a number needs no time zone; remove zone, or set unit: iso',
   noTime: (topic: string, unit: string, field: string) => `the message on ${topic} has no time with the unit ${unit} in the field ${field}`,
 };
 

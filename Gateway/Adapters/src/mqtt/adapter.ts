@@ -1,12 +1,12 @@
 import type { AdapterContext } from '../adapter';
 import type { PlantValue } from '../samples/plantOutput';
 import type { Refusal } from '../samples/stampRule';
-import { fieldIn, TopicValues } from '../samples/topicValues';
+import { fieldIn, fieldText, TopicValues } from '../samples/topicValues';
 import type { Nanoseconds } from '../times';
 import { reportAddress } from './address';
 import { type MqttEvents, MqttLink } from './link';
 import type { MqttSettings, TimeField } from './kind';
-import { stampIn } from './stamps';
+import { hasNoZone, stampIn } from './stamps';
 import { mqttMessages } from '../messages/broker';
 
 /**
@@ -63,13 +63,22 @@ export async function run(context: AdapterContext<MqttSettings>): Promise<void> 
 function valuesIn(values: TopicValues, topic: string, payload: Buffer, arrival: Nanoseconds | null, time: TimeField | null): PlantValue[] {
   const refused = (refusal: Refusal): PlantValue[] => values.indicesOf(topic).map(index => ({ index, value: null, stamp: null, refusal }));
   const message = parsed(payload);
-  if (message === undefined)
-    return refused({ reason: 'malformed', text: payload.length === 0 ? mqttMessages.empty(topic) : mqttMessages.notJson(topic) });
+  if (message === undefined) return refused({ reason: 'malformed', text: unreadable(topic, payload) });
   // A message that is a number or a Boolean has no field with a time, so the time of its arrival is used.
   if (time === null || typeof message !== 'object') return values.in(topic, message, arrival);
-  const stamp = stampIn(fieldIn(message, time.field.split('.')), time.unit);
+  const { path, unit, zone } = time;
+  const found = fieldIn(message, path);
+  const stamp = stampIn(found, unit, zone);
   if (stamp !== null) return values.in(topic, message, stamp);
-  return refused({ reason: 'stamp-missing', text: mqttMessages.noTime(topic, time.unit, time.field) });
+  const field = fieldText(path);
+  const text = unit === 'iso' && hasNoZone(found) ? mqttMessages.noZone(topic, field) : mqttMessages.noTime(topic, unit, field);
+  return refused({ reason: 'stamp-missing', text });
+}
+
+/** Gets the reason why a payload that is not JSON cannot be read. */
+function unreadable(topic: string, payload: Buffer): string {
+  if (payload.length === 0) return mqttMessages.empty(topic);
+  return topic.startsWith('spBv1.0/') ? mqttMessages.sparkplug(topic) : mqttMessages.notJson(topic);
 }
 
 /** Parses a payload as JSON. Returns undefined if it is not valid JSON. */

@@ -1,7 +1,6 @@
-import type { Address } from '../configuration/values';
 import type { PlantOutput } from '../samples/plantOutput';
 import { type Nanoseconds, NS_PER_MS, ofMilliseconds } from '../times';
-import type { Cycle, Recipe } from './recipe';
+import type { Cycle, Recipe, RtdeAddress } from './recipe';
 import type { RtdeSettings } from './kind';
 
 /** Time by which a package may be earlier than the chosen interval, because timestamps are rounded. */
@@ -13,7 +12,7 @@ const SIGNAL_SILENCE_MS = 1000;
 /** Publishes the joints and poses from data packages at the chosen rate, and the signals from all packages. */
 export class CycleOutput {
   /** The configured values of frames and signals whose fields exist in the controller. */
-  readonly #values: { index: number; address: Address }[];
+  readonly #values: { index: number; address: RtdeAddress }[];
   #published: Nanoseconds | null = null;
 
   constructor(

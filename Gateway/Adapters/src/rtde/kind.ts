@@ -1,8 +1,7 @@
 import type { Kind } from '../adapter';
 import { readNames } from '../configuration/configuration';
-import type { Address } from '../configuration/values';
 import { type Nanoseconds, ofMilliseconds } from '../times';
-import { fieldsOf, type PositionSource } from './recipe';
+import { fieldsOf, type PositionSource, type RtdeAddress } from './recipe';
 import { summaryMessages } from '../messages/gateway';
 import { rtdeSettingMessages } from '../messages/rtde';
 
@@ -26,7 +25,7 @@ export interface RtdeSettings {
   isCalibrated: boolean;
   calibrationPort: number;
   /** Addresses of the values of the frames, followed by those of the signals. */
-  addresses: Address[];
+  addresses: RtdeAddress[];
 }
 
 export const rtde: Kind<'rtde', RtdeSettings> = {
@@ -42,7 +41,7 @@ export const rtde: Kind<'rtde', RtdeSettings> = {
       calibration_port: calibrationPort,
       send_delay_ms: delay,
     } = plant;
-    const addresses = values.slice(joints.length).map(({ address }) => address);
+    const addresses = values.slice(joints.length).map(({ address }) => address as RtdeAddress);
     if (isCalibrated && !ARMS.includes(robot)) file.report(['robot'], rtdeSettingMessages.notCalibrated(robot, ARMS));
     const length = fieldsOf(source, addresses)
       .map(({ name }) => name)

@@ -11,6 +11,9 @@ export interface Field {
   isOptional?: boolean;
 }
 
+/** The address of a number. Its field is a name. */
+export type RtdeAddress = Address & { field?: string };
+
 /** Source of the positions: measured by the encoders, or commanded by the controller. */
 export type PositionSource = 'actual' | 'target';
 
@@ -19,7 +22,7 @@ export type PositionSource = 'actual' | 'target';
  * @param source Source of the published positions.
  * @param addresses Addresses of the configured frames and signals.
  */
-export function fieldsOf(source: PositionSource, addresses: Address[] = []): Field[] {
+export function fieldsOf(source: PositionSource, addresses: RtdeAddress[] = []): Field[] {
   const fields: Field[] = [
     { name: 'timestamp', type: 'DOUBLE' },
     ...(['actual', 'target'] as const).flatMap((of): Field[] => [
@@ -98,7 +101,7 @@ export class Recipe {
   }
 
   /** Gets the reason why the number at an address cannot be read; null if it can. */
-  objectionTo({ field, index, bit }: Address): string | null {
+  objectionTo({ field, index, bit }: RtdeAddress): string | null {
     const found = this.#fields.get(field!);
     if (found === undefined) return fieldMessages.unknown(field!);
     const { count, size, isWhole } = elementsOf(found.type);
@@ -109,7 +112,7 @@ export class Recipe {
   }
 
   /** Gets the number at a valid address in a valid data package, with all bits. */
-  read(payload: Buffer, { field, index = 0 }: Address): number | bigint {
+  read(payload: Buffer, { field, index = 0 }: RtdeAddress): number | bigint {
     const { at, type } = this.#fields.get(field!)!;
     const { size, read } = elementsOf(type);
     return read(payload, at + index * size);

@@ -20,7 +20,7 @@ export class TopicValues {
   constructor(values: readonly Value[], field: string | null = null) {
     values.forEach(({ address }, index) => {
       if (address.topic === undefined) return;
-      const path = (address.field ?? field)?.split('.') ?? [];
+      const path = pathOf(address.field ?? field ?? []);
       this.#places.set(address.topic, [...(this.#places.get(address.topic) ?? []), { index, path }]);
     });
   }
@@ -40,10 +40,17 @@ export class TopicValues {
     return (this.#places.get(topic) ?? []).map(({ index, path }): PlantValue => {
       const value = fieldIn(message, path);
       if (value !== undefined) return { index, value, stamp };
-      return { index, value, stamp, refusal: { reason: 'field', text: refusalMessages.noField(topic, path.join('.')) } };
+      return { index, value, stamp, refusal: { reason: 'field', text: refusalMessages.noField(topic, fieldText(path)) } };
     });
   }
 }
+
+/** Gets the names and indices that lead to a field, which the configuration has as one text with dots, or as a list. */
+export const pathOf = (field: string | readonly (string | number)[] = []): string[] =>
+  typeof field === 'string' ? field.split('.') : field.map(String);
+
+/** Gets the text of a path for messages, in which a name with a dot has quotation marks. */
+export const fieldText = (path: readonly string[]): string => path.map(name => (name.includes('.') ? `"${name}"` : name)).join('.');
 
 /** Gets a part of a message by its path; undefined if the message does not have it. */
 export const fieldIn = (message: unknown, path: readonly string[]): unknown =>

@@ -5,9 +5,10 @@ import { missing } from '../broker/mosquitto.mjs';
 import { parts } from '../parts.mjs';
 import { until } from '../program.mjs';
 import { messages } from '../messages.mjs';
+import { nanoseconds } from '../rosbridge.mjs';
 import { cell, changes, poses } from './cell.mjs';
 
-const { mqttMessages } = messages;
+const { mqttMessages, refusalMessages } = messages;
 
 const { stampIn, TopicValues } = await parts('mqtt/stamps', 'samples/topicValues');
 
@@ -77,6 +78,38 @@ describe('mqtt payloads', { skip: missing, concurrency: 3 }, () => {
       assert.deepEqual([bridge.jointStates, poses(bridge, 'part'), bridge.published('/signals')], [[], [], []]);
     });
 
+  for (const [name, zone, sent, text] of [
+    ['WithoutAZone', '', { t: '2026-11-24T12:00:00.125' }, mqttMessages.noZone('cell', 't')],
+    ['WithoutAZoneButInvalid', ', zone: UTC', { t: '2026-13-24T12:00:00.125' }, mqttMessages.noTime('cell', 'iso', 't')],
+    ['Missing', '', {}, mqttMessages.noTime('cell', 'iso', 't')],
+  ])
+    it(`Time_Iso${name}_IsRefusedWithItsReason`, async t => {
+      const { bridge, send } = await cell(t, { plant: `  time: { field: t, unit: iso${zone} }\n`, rest: REST });
+
+      await send('cell', { ...good, ...sent });
+
+      await until(() => bridge.joint('axis')?.reason.endsWith(text), () => JSON.stringify(bridge.state));
+    });
+
+  for (const [zone, offset] of [['UTC', 0], ['+01:30', 90 * 60_000]])
+    it(`Time_IsoWithoutAZone_IsInTheConfiguredZone${zone}`, async t => {
+      const { bridge, send, now } = await cell(t, { plant: `  time: { field: t, unit: iso, zone: "${zone}" }\n`, rest: REST });
+      const ms = now() / 1_000_000n;
+
+      await send('cell', { ...good, t: new Date(Number(ms) + offset).toISOString().replace('Z', '') });
+
+      await until(() => bridge.jointStates.length > 0, () => JSON.stringify(bridge.state));
+      assert.equal(nanoseconds(bridge.jointStates[0].header.stamp), ms * 1_000_000n);
+    });
+
+  it('Message_OfSparkplug_NamesTheProtocol', async t => {
+    const topic = 'spBv1.0/plant/NDATA/cell', { bridge, send } = await cell(t, { rest: REST.replaceAll('topic: cell', `topic: ${topic}`) });
+
+    await send(topic, '\u0008\u0001\ufffd');
+
+    await until(() => bridge.joint('axis')?.reason.endsWith(mqttMessages.sparkplug(topic)), () => JSON.stringify(bridge.state));
+  });
+
   it('Time_InSecondsInsteadOfMilliseconds_IsRefusedAsOld', async t => {
     const { bridge, send, now } = await cell(t, { plant: '  time: { field: t, unit: ms }\n', rest: REST });
 
@@ -108,6 +141,14 @@ describe('mqtt stamps', () => {
     [undefined, 's', null],
   ])
     it(`TimeStamp_${String(value)}In_${unit}_${expected === null ? 'IsNull' : 'IsConverted'}`, () => assert.equal(stampIn(value, unit), expected));
+
+  for (const [value, zone, expected] of [
+    ['2026-11-24T00:00:00.5', 'Z', T + 500_000_000n],
+    ['2026-11-24T01:30:00', '+01:30', T],
+    ['2026-11-24T00:00:00Z', '+01:30', T],
+    ['2026-11-24', 'Z', null],
+  ])
+    it(`TimeStamp_${value}WithTheDefaultZone${zone}_${expected === null ? 'IsNull' : 'IsConverted'}`, () => assert.equal(stampIn(value, 'iso', zone), expected));
 });
 
 describe('values of topics', () => {
@@ -118,6 +159,17 @@ describe('values of topics', () => {
 
   it('Values_InAMessage_AreFoundByTheirPaths', () =>
     assert.deepEqual(values.in('a', { x: [1, 2] }, 5n).map(({ index, value, stamp }) => [index, value, stamp]), [[0, 2, 5n], [2, { x: [1, 2] }, 5n]]));
+
+  for (const [name, field, message, value, text] of [
+    ['NamesWithDots', ['Values', 'MAIN.fAxis1'], { Values: { 'MAIN.fAxis1': 1.5 } }, 1.5, 'Values."MAIN.fAxis1"'],
+    ['Indices', ['tags', 1, 'value'], { tags: [{ value: 1 }, { value: 2 }] }, 2, 'tags.1.value'],
+  ])
+    it(`Field_ListWith${name}_IsFound`, () => {
+      const listed = new TopicValues([{ address: { topic: 'a', field } }]);
+
+      assert.equal(listed.in('a', message, 5n)[0].value, value);
+      assert.equal(listed.in('a', {}, 5n)[0].refusal.text, refusalMessages.noField('a', text));
+    });
 
   for (const message of [null, 5, 'text', [], { x: null }, { x: [1] }, { x: 'ab' }])
     it(`Values_MissingIn${JSON.stringify(message)}_AreRefused`, () => assert.equal(values.in('a', message, 5n)[0].refusal.reason, 'field'));
