@@ -12,6 +12,9 @@ import { summaryMessages } from '../messages/gateway';
 /** The adapter's AMS port if this machine has no router, from the range that TwinCAT's router assigns to clients. */
 const OWN_PORT = 32905;
 
+/** Number of values above which the notifications, with those of other clients, may be more than Beckhoff recommends. */
+const MANY_VALUES = 500;
+
 /** The settings of the kind ads. */
 export interface AdsSettings {
   /** The text of the address. */
@@ -44,6 +47,8 @@ export const ads: Kind<'ads', AdsSettings> = {
     if (!plant.on_change && !file.isInvalid(['plant', 'on_change']))
       for (const [place, { silence }] of places)
         if (silence === 'rest' && file.has([...place, 'silence'])) file.report([...place, 'silence'], adsSettingMessages.restWithoutOnChange);
+    const { length } = configuration.values;
+    if (length > MANY_VALUES) file.warn(['plant'], adsSettingMessages.manyValues(length));
     return {
       address: endpoint,
       endpoint: address!,

@@ -1,4 +1,4 @@
-import type { AdsSymbol } from 'ads-client';
+import type { ActiveSubscription, AdsSymbol } from 'ads-client';
 import { READINGS_AT_ONCE } from '../clock/clockStep';
 import type { ClockReading } from '../clock/offeredClock';
 import type { TimeUnit } from '../samples/timeUnit';
@@ -15,6 +15,8 @@ export interface PlcTime {
   read(): Promise<ClockReading>;
   /** Maximum number of simultaneous calls of `read`. */
   readonly atOnce: number;
+  /** Adds notifications so that the PLC, which may allow only some of them, still allows those of the clock. */
+  reserving<T>(add: () => Promise<T>): Promise<T>;
   /** Takes the stamp of a notification whose handle does not belong to a configured value. */
   saw(handle: number, stamp: bigint): void;
 }
@@ -46,14 +48,18 @@ export class NotificationTime implements PlcTime {
       this.#early.set(handle, stamp);
   }
 
+  async reserving<T>(add: () => Promise<T>): Promise<T> {
+    const reserved = await this.#subscribe();
+    const added = await add();
+    await reserved.unsubscribe();
+    return added;
+  }
+
   async read(): Promise<ClockReading> {
-    const { indexGroup, indexOffset, size } = this.place;
     this.#asking++;
-    const asked = await this.client
-      .subscribe({ target: { indexGroup, indexOffset, size }, callback: () => {}, cycleTime: 0, sendOnChange: true, maxDelay: 0 })
-      .finally(() => {
-        this.#asking--;
-      });
+    const asked = await this.#subscribe().finally(() => {
+      this.#asking--;
+    });
     try {
       const time = ofFileTime(await this.#first(asked.notificationHandle));
       return { received: time, sent: time };
@@ -62,6 +68,12 @@ export class NotificationTime implements PlcTime {
       if (this.#former.push(asked.notificationHandle) > MAX_EARLY) this.#former.shift();
       asked.unsubscribe().catch(() => {});
     }
+  }
+
+  #subscribe(): Promise<ActiveSubscription> {
+    const { indexGroup, indexOffset, size } = this.place;
+    const target = { indexGroup, indexOffset, size };
+    return this.client.subscribe({ target, callback: () => {}, cycleTime: 0, sendOnChange: true, maxDelay: 0 });
   }
 
   #first(handle: number): Promise<bigint> {
@@ -89,6 +101,10 @@ export class VariableTime implements PlcTime {
   ) {}
 
   saw(): void {}
+
+  reserving<T>(add: () => Promise<T>): Promise<T> {
+    return add();
+  }
 
   async read(): Promise<ClockReading> {
     const { indexGroup, indexOffset, size, name } = this.symbol;

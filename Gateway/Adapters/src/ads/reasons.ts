@@ -9,6 +9,9 @@ const TARGET_PORT = 6;
 const TARGET_MACHINE = 7;
 const SYMBOL_NOT_FOUND = 1808;
 
+/** Whether the PLC has responded to a request with an error. */
+export const isAdsError = (error: unknown): boolean => codeOf(error) !== undefined;
+
 export const isSymbolNotFound = (error: unknown): boolean => codeOf(error) === SYMBOL_NOT_FOUND;
 
 /** Gets the reason why the PLC cannot be read, with the remedy. */

@@ -1,25 +1,28 @@
-import { ADS, type AdsSymbol } from 'ads-client';
+import { ADS, type AdsSymbol, type SubscriptionSettings } from 'ads-client';
 import type { AdapterContext } from '../adapter';
 import type { ClockReading } from '../clock/offeredClock';
 import { delayOf, STAMP_LAG_MS, unconfirmedAfterMs } from '../samples/silentValues';
 import type { TimeUnit } from '../samples/timeUnit';
 import { type Nanoseconds, ofFileTime, ofMilliseconds } from '../times';
 import { Cycles, type CycleValue } from './cycles';
-import { canHoldTime, isNumber, isState, numberOf, timeOf, unitOf } from './decoding';
+import { numberOf, timeOf, unitOf } from './decoding';
 import { NotificationTime, type PlcTime, VariableTime } from './plcTime';
 import { ReadOnlyClient } from './readOnlyClient';
-import { reasonOf } from './reasons';
+import { isAdsError, reasonOf } from './reasons';
 import type { AdsSettings } from './kind';
 import { SilentSymbols } from './silentSymbols';
 import type { StampedSamples } from './stream';
-import { findSymbol, type NamedSymbol, SymbolError } from './symbols';
-import { adsMessages, symbolMessages } from '../messages/ads';
+import { findSymbol, type NamedSymbol, numberNeeded, stateNeeded, SymbolError, timeNeeded } from './symbols';
+import { adsMessages } from '../messages/ads';
 
 const RUN = 5;
 const GOODBYE_MS = 500;
 
 /** Address of the state of the runtime. It exists in every PLC, independently of the loaded program. */
 const PLC_STATE = { indexGroup: ADS.ADS_RESERVED_INDEX_GROUPS.DeviceData, indexOffset: 0, size: 4 };
+
+/** Interval in ms at which the PLC samples a symbol, and whether it sends only changes. */
+type Sampled = Pick<SubscriptionSettings, 'cycleTime' | 'sendOnChange'>;
 
 interface Watched {
   symbol: AdsSymbol;
@@ -100,8 +103,7 @@ export class AdsSession {
     // Subscribes to the time first. The PLC counts the cycles of a notification from its addition, and the time must be sampled in every cycle.
     if (time !== null) await this.#watch(time, null, { cycleTime: 0, sendOnChange: false });
     const sampled = { cycleTime: settings.samplingMs, sendOnChange: settings.isOnChange };
-    await Promise.all(symbols.map((symbol, index) => (symbol === null ? undefined : this.#watch(symbol, index, sampled))));
-    this.#watchSilence(symbols, sampled);
+    this.#watchSilence(await this.#time.reserving(() => this.#watchAll(symbols, sampled)), sampled);
     this.#isReading = true;
     this.#reportState();
   }
@@ -124,7 +126,32 @@ export class AdsSession {
     });
   }
 
-  #watchSilence(symbols: (AdsSymbol | null)[], sampled: { cycleTime: number; sendOnChange: boolean }): void {
+  /**
+   * Subscribes to the symbols. Gets them, with null for a symbol whose notification the PLC refuses, so that the others can be read. Rejects if the
+   * PLC refuses all of them, or if a request fails for another reason.
+   */
+  async #watchAll(symbols: (AdsSymbol | null)[], sampled: Sampled): Promise<(AdsSymbol | null)[]> {
+    const refusals: unknown[] = [];
+    const watched = await Promise.all(
+      symbols.map(async (symbol, index) => {
+        if (symbol === null) return null;
+        try {
+          await this.#watch(symbol, index, sampled);
+          return symbol;
+        } catch (error) {
+          if (!isAdsError(error)) throw error;
+          refusals.push(error);
+          const text = adsMessages.notNotified(this.settings.values[index].symbol, this.#reasonOf(error));
+          this.context.output.lose(index, { reason: 'not-readable', text });
+          return null;
+        }
+      }),
+    );
+    if (refusals.length > 0 && watched.every(symbol => symbol === null)) throw refusals[0];
+    return watched;
+  }
+
+  #watchSilence(symbols: (AdsSymbol | null)[], sampled: Sampled): void {
     const { output, clock } = this.context;
     const { samplingMs, isOnChange } = this.settings;
     const delayMs = delayOf(this.settings);
@@ -176,7 +203,7 @@ export class AdsSession {
     return findSymbol(this.#client, this.context.configuration.file, named, objection);
   }
 
-  async #watch(symbol: AdsSymbol, index: number | null, when: { cycleTime: number; sendOnChange: boolean }): Promise<void> {
+  async #watch(symbol: AdsSymbol, index: number | null, when: Sampled): Promise<void> {
     const { indexGroup, indexOffset, size } = symbol;
     const { samplingMs, publishingMs } = this.settings;
     const subscription = await this.#client.subscribe({
@@ -269,12 +296,3 @@ export class AdsSession {
     await this.#client.disconnect(true).catch(() => {});
   }
 }
-
-const numberNeeded = (found: AdsSymbol): string | undefined => {
-  if (found.arrayDimension > 0) return symbolMessages.array(`${found.name}[${found.arrayInfo[0]?.startIndex ?? 0}]`);
-  return isNumber(found) ? undefined : symbolMessages.notNumber;
-};
-
-const stateNeeded = (found: AdsSymbol): string | undefined => (isState(found) ? undefined : numberNeeded(found));
-
-const timeNeeded = (found: AdsSymbol): string | undefined => (canHoldTime(found) ? undefined : symbolMessages.notTime);

@@ -1,5 +1,6 @@
 import type { AdsSymbol } from 'ads-client';
 import { nearest } from '../configuration/nearest';
+import { canHoldTime, isNumber, isState } from './decoding';
 import type { ReadOnlyClient } from './readOnlyClient';
 import { isSymbolNotFound } from './reasons';
 import { symbolMessages } from '../messages/ads';
@@ -45,3 +46,15 @@ async function near(client: ReadOnlyClient, symbol: string): Promise<string[] | 
   const names = Object.values(await client.getSymbols()).map(s => s.name);
   return nearest(symbol, names, 3);
 }
+
+/** Gets the reason why a symbol cannot be a position; undefined if it can. */
+export const numberNeeded = (found: AdsSymbol): string | undefined => {
+  if (found.arrayDimension > 0) return symbolMessages.array(`${found.name}[${found.arrayInfo[0]?.startIndex ?? 0}]`);
+  return isNumber(found) ? undefined : symbolMessages.notNumber;
+};
+
+/** Gets the reason why a symbol cannot be a signal; undefined if it can. */
+export const stateNeeded = (found: AdsSymbol): string | undefined => (isState(found) ? undefined : numberNeeded(found));
+
+/** Gets the reason why a symbol cannot be the time; undefined if it can. */
+export const timeNeeded = (found: AdsSymbol): string | undefined => (canHoldTime(found) ? undefined : symbolMessages.notTime);

@@ -7,6 +7,9 @@ export const adsSettingMessages = {
   endpoint: (value: unknown) => wrongValue(value, `${NET_ID}, and each port from 1 to 65535`),
   netId: (value: unknown) => wrongValue(value, NET_ID),
   notPlain: 'missing; ADS is neither encrypted nor authenticated: if all machines on its network are trusted, set plain: true',
+  manyValues: (count: number) =>
+    `${count} values are read, each with a notification of its own; Beckhoff recommends at most 550 notifications per PLC, including those of other `
+    + 'clients: read fewer values, or read arrays over OPC UA',
   restWithoutOnChange: wrongValue(
     'rest',
     'without on_change: true, the PLC also sends values at rest, so missing values are always a fault; remove silence, or set on_change: true',
@@ -42,6 +45,8 @@ export const adsMessages = {
   noTimeOfCycle: (symbol: string) => `the time ${symbol} of the same cycle has not arrived`,
   newProgram: 'the PLC has a new program; its variables are looked up again',
   moved: (symbol: string) => `the size of ${symbol} has changed; the PLC's variables are looked up again`,
+  notNotified: (symbol: string, reason: string) =>
+    `the PLC does not notify of ${symbol}: ${reason}; if it refuses only some symbols, read fewer, because its number of notifications is limited`,
   notReadable: (symbol: string, reason: string) => `${symbol} cannot be read: ${reason}`,
   valuesStopped: "the PLC's program is not running, so its variables are not current",
   programState: (state: string) => `the PLC's program is in state ${state}; positions are sent again when it is running`,

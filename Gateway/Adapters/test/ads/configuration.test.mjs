@@ -8,7 +8,7 @@ import { configuration } from './cell.mjs';
 import { parts } from '../parts.mjs';
 import { like, messages } from '../messages.mjs';
 
-const { ads, parseEndpoint } = await parts('ads/endpoint', 'ads/kind');
+const { ads, kinds, parseEndpoint, readConfiguration } = await parts('ads/endpoint', 'ads/kind', 'configuration/configuration', 'kinds');
 const { adsSettingMessages, configurationMessages, summaryMessages } = messages;
 
 describe('ads configuration', () => {
@@ -39,6 +39,17 @@ describe('ads configuration', () => {
       const path = temporaryFile('ads.yaml', text), lines = wrongIn(path);
 
       assert.ok(lines[0].startsWith(`${path}, ${expected}`), lines[0]);
+    });
+
+  for (const [count, expected] of [[500, []], [501, [adsSettingMessages.manyValues(501)]]])
+    it(`Check_${count}Values_CausesAWarningAboveTheRecommendation`, () => {
+      const joints = Array.from({ length: 256 }, (_, i) => `  - { joint: j${i}, symbol: "GVL.a[${i}]" }\n`).join('');
+      const signals = Array.from({ length: count - 256 }, (_, i) => `  - { signal: s${i}, symbol: "GVL.b[${i}]" }\n`).join('');
+      const text = `${configuration({ port: 48898, url: 'ws://127.0.0.1:47011', joints })}signals:\n${signals}`;
+
+      const { warnings } = readConfiguration(temporaryFile('ads.yaml', text), {}, kinds);
+
+      assert.deepEqual(warnings.map(line => line.replace(/^.*plant: /, '')), expected);
     });
 
   for (const [name, endpoint, local, expected] of [

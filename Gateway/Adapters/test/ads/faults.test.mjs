@@ -41,6 +41,28 @@ describe('faults over ADS', { concurrency: 4 }, () => {
     assert.match(bridge.joint('axis').reason, like(symbolMessages.unknown('line 11', 'MAIN.fAxs2', ['MAIN.fAxis2'])));
   });
 
+  // The client has two notifications of its own, and one is reserved for the clock.
+  it('Notification_Refused_OnlyItsJointIsMissing', async t => {
+    const { bridge } = await cell(t, { server: { maxNotifications: 6 } });
+    const inState = wanted => [1, 2, 3, 4, 5].filter(i => bridge.joint(`arm_joint_${i}`)?.state === wanted);
+
+    await until(() => inState('live').length === 3 && inState('missing').length === 2, () => JSON.stringify(bridge.state));
+    await statesOf(bridge, 20);
+    await clockOf(bridge);
+
+    for (const i of inState('missing'))
+      assert.match(bridge.joint(`arm_joint_${i}`).reason, like(adsMessages.notNotified(`GVL.aJoints[${i - 1}]`, ANY)));
+    assert.deepEqual([inState('missing').length, bridge.state.state, bridge.state.reconnects], [2, 'connected', '0']);
+  });
+
+  it('Notifications_AllRefused_ReasonIsThatOfThePlc', async t => {
+    const { adapter } = await cell(t, { server: { maxNotifications: 3 } });
+
+    await adapter.said('waiting: ');
+
+    assert.match(adapter.err, /memory/i);
+  });
+
   it('Clock_VariableDoesNotAdvance_IsNamed', async t => {
     const more = '  timestamp: variable\n  time: { symbol: GVL.nStoppedTime, unit: ns }\n';
     const { adapter } = await cell(t, { more });

@@ -20,7 +20,7 @@ export const mode = { cyclic: 3, onChange: 4 };
 
 export const error = {
   targetPort: 0x06, targetMachine: 0x07, serviceNotSupported: 0x701, invalidGroup: 0x702, invalidOffset: 0x703,
-  invalidAccess: 0x704, invalidSize: 0x705, notReady: 0x707, symbolNotFound: 0x710, symbolVersion: 0x711, invalidHandle: 0x714,
+  invalidAccess: 0x704, invalidSize: 0x705, notReady: 0x707, noMemory: 0x70a, symbolNotFound: 0x710, symbolVersion: 0x711, invalidHandle: 0x714,
 };
 
 const response = 0x0005;

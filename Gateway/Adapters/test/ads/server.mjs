@@ -21,10 +21,12 @@ export class AdsServer {
   /**
    * `routes` are the AMS Net Ids of the accepted senders. The server closes the connection of any other sender, like TwinCAT without a route. `isSole`
    * means that a new connection ends the previous ones, like a TwinCAT router does with the connections of one machine.
+   * `maxNotifications` is the maximum number of notifications per connection.
    */
-  constructor(plc, { netId = '5.24.12.7.1.1', routes, isSole = false } = {}) {
+  constructor(plc, { netId = '5.24.12.7.1.1', routes, isSole = false, maxNotifications = Infinity } = {}) {
     this.plc = plc;
     this.isSole = isSole;
+    this.maxNotifications = maxNotifications;
     this.netId = netId;
     this.routes = routes;
     /** All received requests, with the numbers of their connections. */
@@ -118,6 +120,7 @@ export class AdsServer {
         const place = this.#place(indexGroup, indexOffset);
         const first = this.plc.read(place.indexGroup, place.indexOffset, length);
         if (typeof first === 'number') return result(first);
+        if (notifications.count >= this.maxNotifications) return result(error.noMemory);
         return words(0, notifications.add(asked.source, asked.target, { ...place, length, transmission, maxDelay, cycleTime }));
       }
       case command.deleteNotification:
