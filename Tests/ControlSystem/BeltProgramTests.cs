@@ -2,37 +2,46 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.ControlSystem;
 
-/// <summary>Runs the belt's program on the manual's page about objects of a PLC program, unchanged.</summary>
+/// <summary>Runs the belt's program on the manual's page about objects of a PLC program.</summary>
 [FixtureLifeCycle(LifeCycle.InstancePerTestCase)]
 public class BeltProgramTests
 {
     const int ValuesPerWorkpiece = 7;
     const decimal Store = 0, Conveyor = 1, Gripper = 2, Fixture = 3;
 
-    readonly StructuredText _program = new(Source());
+    const string CycleTime = "TwinCAT_SystemInfoVarList._TaskInfo[GETCURTASKINDEXEX()].CycleTime";
 
+    /// <summary>Interval of the task in units of 100 ns, as in TwinCAT.</summary>
+    ulong _cycleTime = 10_000;
+    readonly StructuredText _program;
+
+    public BeltProgramTests() => _program = new(Source(), new() { [CycleTime] = () => _cycleTime });
+
+    /// <summary>Gets the program as the PLC compiles it, from the blocks of the page for the declaration, the lists and the implementation.</summary>
     static string Source()
     {
         var page = File.ReadAllText(Path.Combine(RepositoryFiles.Root, RepositoryFiles.Package, "Documentation~", "objects-from-a-plc.md"));
-        return page.Split("```").Single(part => part.TrimStart().StartsWith("PROGRAM PRG_Belt", StringComparison.Ordinal));
+        var blocks = page.Split("```").Select(block => block.Trim()).ToArray();
+        string[] Starting(string text) => [.. blocks.Where(block => block.StartsWith(text, StringComparison.Ordinal))];
+        return string.Join('\n', [.. Starting("PROGRAM PRG_Belt"), .. Starting("VAR_GLOBAL"), .. Starting("fCycleTime :="), "END_PROGRAM"]);
     }
 
-    decimal X(int workpiece) => _program.Array("aWorkpiece")[ValuesPerWorkpiece * workpiece];
+    decimal X(int workpiece) => _program.Array("GVL.aWorkpiece")[ValuesPerWorkpiece * workpiece];
 
-    decimal Parent(int workpiece) => _program.Array("aWorkpiece")[ValuesPerWorkpiece * workpiece + 6];
+    decimal Parent(int workpiece) => _program.Array("GVL.aWorkpiece")[ValuesPerWorkpiece * workpiece + 6];
 
     decimal[] Parents => [Parent(0), Parent(1), Parent(2)];
 
     void Run(int cycles, bool isInterrupted = false)
     {
-        _program["bLightBarrier"] = isInterrupted ? 1 : 0;
+        _program["GVL.bLightBarrier"] = isInterrupted ? 1 : 0;
         for (var i = 0; i < cycles; i++) _program.Run();
     }
 
     [Test]
     public void Run_LightBarrierFree_AllWorkpiecesAreInTheStore()
     {
-        _program["fBeltSpeed"] = 150;
+        _program["GVL.fBeltSpeed"] = 150;
 
         Run(10);
 
@@ -43,24 +52,38 @@ public class BeltProgramTests
     [Test]
     public void Run_WorkpieceInTheLightBarrier_MovesWithTheMeasuredSpeed()
     {
-        _program["fBeltSpeed"] = 150;
+        _program["GVL.fBeltSpeed"] = 150;
 
         Run(1, isInterrupted: true);
         Run(200, isInterrupted: true);
-        _program["fBeltSpeed"] = 0;
+        _program["GVL.fBeltSpeed"] = 0;
         Run(100);
-        _program["fBeltSpeed"] = 50.5m;
+        _program["GVL.fBeltSpeed"] = 50.5m;
         Run(1000);
 
         Assert.That(Parents, Is.EqualTo(new[] { Conveyor, Store, Store }), "one workpiece per interruption of the light barrier");
         Assert.That(X(0), Is.EqualTo(0.2m * 150 + 50.5m), "mm");
-        Assert.That(_program.Array("aWorkpiece")[2], Is.EqualTo(15), "height of the centre");
+        Assert.That(_program.Array("GVL.aWorkpiece")[2], Is.EqualTo(15), "height of the centre");
+    }
+
+    [TestCase(10_000UL)]
+    [TestCase(100_000UL)]
+    [TestCase(20_000UL)]
+    public void Run_IntervalOfTheTask_WorkpieceMovesWithTheBelt(ulong cycleTime)
+    {
+        _cycleTime = cycleTime;
+        _program["GVL.fBeltSpeed"] = 150;
+        Run(1, isInterrupted: true);
+
+        Run((int)(10_000_000 / cycleTime));
+
+        Assert.That(X(0), Is.EqualTo(150), "mm after one second");
     }
 
     [Test]
     public void Run_WorkpieceAtTheEnd_LeavesAndTheOthersKeepTheirElements()
     {
-        _program["fBeltSpeed"] = 1000;
+        _program["GVL.fBeltSpeed"] = 1000;
         Run(1, isInterrupted: true);
         Run(599);
         Run(1, isInterrupted: true);
@@ -82,7 +105,7 @@ public class BeltProgramTests
         RunToThePickPosition();
         var onTheBelt = ValuesOf(0);
 
-        _program["bGripperClosed"] = 1;
+        _program["GVL.bGripperClosed"] = 1;
         Run(1);
 
         Assert.That(onTheBelt, Is.EqualTo(new decimal[] { 900, 0, 15, 0, 0, 0, Conveyor }));
@@ -93,7 +116,7 @@ public class BeltProgramTests
     public void Run_GrippedWorkpiece_KeepsItsPoseInTheGripper()
     {
         RunToThePickPosition();
-        _program["bGripperClosed"] = 1;
+        _program["GVL.bGripperClosed"] = 1;
         Run(1);
         var gripped = ValuesOf(0);
 
@@ -108,17 +131,17 @@ public class BeltProgramTests
     public void Run_GripperOpens_WorkpieceIsOnTheFixtureUntilItIsUnloaded()
     {
         RunToThePickPosition();
-        _program["bGripperClosed"] = 1;
+        _program["GVL.bGripperClosed"] = 1;
         Run(100);
 
-        _program["bGripperClosed"] = 0;
+        _program["GVL.bGripperClosed"] = 0;
         Run(1);
         var released = ValuesOf(0);
         Run(10);
-        _program["bFixtureOccupied"] = 1;
+        _program["GVL.bFixtureOccupied"] = 1;
         Run(10);
         var resting = ValuesOf(0);
-        _program["bFixtureOccupied"] = 0;
+        _program["GVL.bFixtureOccupied"] = 0;
         Run(1);
 
         Assert.That(released, Is.EqualTo(new decimal[] { 0, 0, 15, 0, 0, 0, Fixture }));
@@ -132,9 +155,9 @@ public class BeltProgramTests
     {
         RunToThePickPosition(x);
 
-        _program["bGripperClosed"] = 1;
+        _program["GVL.bGripperClosed"] = 1;
         Run(100);
-        _program["bGripperClosed"] = 0;
+        _program["GVL.bGripperClosed"] = 0;
         Run(1);
 
         Assert.That((X(0), Parent(0)), Is.EqualTo(((decimal)x, Conveyor)));
@@ -143,7 +166,7 @@ public class BeltProgramTests
     [Test]
     public void Run_GripperIsClosedBeforeTheWorkpieceArrives_WorkpieceStaysOnTheBelt()
     {
-        _program["bGripperClosed"] = 1;
+        _program["GVL.bGripperClosed"] = 1;
 
         RunToThePickPosition();
 
@@ -153,14 +176,14 @@ public class BeltProgramTests
     [Test]
     public void Run_TwoWorkpiecesWithinReach_GripperTakesOne()
     {
-        _program["fBeltSpeed"] = 1000;
+        _program["GVL.fBeltSpeed"] = 1000;
         Run(1, isInterrupted: true);
         Run(9);
         Run(1, isInterrupted: true);
         Run(899);
-        _program["fBeltSpeed"] = 0;
+        _program["GVL.fBeltSpeed"] = 0;
 
-        _program["bGripperClosed"] = 1;
+        _program["GVL.bGripperClosed"] = 1;
         Run(2);
 
         Assert.That(Parents, Is.EqualTo(new[] { Gripper, Conveyor, Store }));
@@ -169,11 +192,11 @@ public class BeltProgramTests
     // The belt stops when the centre of the first workpiece is at this position, in mm.
     void RunToThePickPosition(int x = 900)
     {
-        _program["fBeltSpeed"] = 1000;
+        _program["GVL.fBeltSpeed"] = 1000;
         Run(1, isInterrupted: true);
         Run(x);
-        _program["fBeltSpeed"] = 0;
+        _program["GVL.fBeltSpeed"] = 0;
     }
 
-    decimal[] ValuesOf(int workpiece) => _program.Array("aWorkpiece")[(ValuesPerWorkpiece * workpiece)..(ValuesPerWorkpiece * (workpiece + 1))];
+    decimal[] ValuesOf(int workpiece) => _program.Array("GVL.aWorkpiece")[(ValuesPerWorkpiece * workpiece)..(ValuesPerWorkpiece * (workpiece + 1))];
 }

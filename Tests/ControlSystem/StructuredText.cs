@@ -5,7 +5,8 @@ namespace Nowpose.Headless.Tests.ControlSystem;
 
 /// <summary>Interprets the subset of Structured Text (IEC 61131-3) used by the manual and the files of the LED matrix, directly from their text.</summary>
 /// <remarks>
-/// Supports integers, BOOL, LREAL (without division and with decimal arithmetic), zero-based arrays, assignments, IF with ELSIF, FOR, and calls of function blocks with named inputs. Each variable has the
+/// Supports integers, BOOL, LREAL (without division and with decimal arithmetic), zero-based arrays, a global variable list named GVL, the data of the
+/// own task, assignments, IF with ELSIF, FOR, and calls of function blocks with named inputs. Each variable has the
 /// range of its type. Anything else is an error that names the token.
 /// </remarks>
 sealed partial class StructuredText
@@ -25,7 +26,7 @@ sealed partial class StructuredText
     readonly int _body;
     int _at;
 
-    /// <param name="functions">Library functions without arguments, by name.</param>
+    /// <param name="functions">Library functions without arguments, and data of the own task, by their complete names.</param>
     /// <param name="blocks">Creates an instance of a function block from the name of its type.</param>
     public StructuredText(string source, Dictionary<string, Func<ulong>> functions = null, Func<string, StructuredText> blocks = null)
     {
@@ -56,17 +57,21 @@ sealed partial class StructuredText
         if (!Next.StartsWith("END_", StringComparison.Ordinal)) throw Unknown();
     }
 
-    [GeneratedRegex(@"\(\*.*?\*\)|//[^\n]*", RegexOptions.Singleline)]
+    [GeneratedRegex(@"\(\*.*?\*\)|\{.*?\}|//[^\n]*", RegexOptions.Singleline)]
     private static partial Regex Comment();
 
-    [GeneratedRegex(@"[A-Z]+#(16#)?[0-9A-F]+|%Q\*|[A-Za-z_]\w*|\d+(\.\d+)?|:=|<>|<=|>=|\.\.|\S")]
+    // The data of the own task, and the variables of the global list, are one token.
+    [GeneratedRegex(@"TwinCAT_SystemInfoVarList\._TaskInfo\[GETCURTASKINDEXEX\(\)\]\.\w+|GVL\.\w+|"
+        + @"[A-Z]+#(16#)?[0-9A-F]+|%Q\*|[A-Za-z_]\w*|\d+(\.\d+(E-\d+)?)?|:=|<>|<=|>=|\.\.|\S")]
     private static partial Regex Token();
 
+    // The program refers to the variables of a global list by the name of the list.
     void Declare()
     {
-        for (_at++; Next != "END_VAR";)
+        var list = Take() == "VAR_GLOBAL" ? "GVL." : "";
+        while (Next != "END_VAR")
         {
-            var name = Take();
+            var name = list + Take();
             if (TryTake("AT")) Take();
             Expect(":");
             _variables.Add(name, Type());
@@ -219,7 +224,7 @@ sealed partial class StructuredText
         if (TryTake("NOT")) return 1 - Unary();
         if (TryTake("(")) return Closed(Expression());
         var token = Take();
-        if (char.IsDigit(token[0])) return decimal.Parse(token, CultureInfo.InvariantCulture);
+        if (char.IsDigit(token[0])) return decimal.Parse(token, NumberStyles.Float, CultureInfo.InvariantCulture);
         if (token.Contains('#')) return Literal(token);
         if (token is "TRUE" or "FALSE") return token == "TRUE" ? 1UL : 0;
         if (token is "SHR" or "SHL") return Shift(token);
@@ -227,9 +232,11 @@ sealed partial class StructuredText
         {
             if (_functions.TryGetValue(token, out var function)) return Closed(function());
             var target = token.Split("_TO_");
+            if (target.Length == 2 && target[1] == "LREAL") return Closed(Expression());
             if (target.Length == 2 && Bits.TryGetValue(target[1], out var bits)) return Closed((ulong)Expression() & Mask(bits));
             throw Unknown();
         }
+        if (token.Contains('.') && _functions.TryGetValue(token, out var datum)) return datum();
         if (!_variables.TryGetValue(token, out var variable)) throw Unknown();
         return variable.Values[Index() ?? 0];
     }

@@ -11,6 +11,8 @@ const { kinds, readConfiguration, robotOf } = await parts('configuration/configu
 
 const folder = join(adapters, 'examples');
 
+const pageOf = name => readFileSync(join(adapters, '../../Packages/com.nowpose.mril/Documentation~', name), 'utf8');
+
 const read = name => readConfiguration(join(folder, name), {}, kinds);
 
 const names = readdirSync(folder, { recursive: true }).filter(f => /\.ya?ml$/.test(f) && statSync(join(folder, f)).isFile());
@@ -54,6 +56,21 @@ it('Example_OfACellWithMqtt_StampsAllValuesWithTheTimeInTheirMessages', () => {
 
   // A message that is only a value contains no time.
   assert.deepEqual([plant.time.field, values.filter(({ address }) => address.field === undefined).map(({ label }) => label)], ['timestamp', []]);
+});
+
+it('Examples_OpcUaNodes_HaveTheUriOfTheirNamespace', () => {
+  const nodes = names.flatMap(name => readFileSync(join(folder, name), 'utf8').match(/\bns=\d+;/g) ?? []);
+
+  // The number of a namespace depends on the server's configuration.
+  assert.deepEqual(nodes, []);
+});
+
+it('Example_OfCodesys_ReadsVariablesThatThePageDeclares', () => {
+  const declared = pageOf('objects-from-a-plc.md').match(/VAR_GLOBAL.*?END_VAR/gs).flatMap(list => [...list.matchAll(/^\s*(\w+) :/gm)].map(([, name]) => name));
+  const { values } = read('codesys-opcua.yaml');
+
+  const unknown = values.map(({ address }) => address.node.split('.').at(-1)).filter(name => !declared.includes(name));
+  assert.deepEqual(unknown, []);
 });
 
 it('Example_OfCodesys_ReadsTheElementsThatTheProgramOfTheManualWrites', () => {

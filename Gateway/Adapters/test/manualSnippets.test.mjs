@@ -27,6 +27,12 @@ for (const [name, snippets] of pages)
     for (const snippet of snippets) assert.doesNotThrow(() => parse(snippet), snippet);
   });
 
+for (const [name, snippets] of pages)
+  it(`Snippets_Of${name}_HaveTheUrisOfNamespaces`, () => {
+    // The number of a namespace depends on the server's configuration.
+    assert.deepEqual(snippets.filter(snippet => /\bns=\d+;/.test(snippet)), []);
+  });
+
 it('ObjectsFromAPlc_DeclaredVariables_AreVisibleToOpcUa', () => {
   const [declarations] = readFileSync(join(folder, 'objects-from-a-plc.md'), 'utf8').match(/VAR_GLOBAL.*?END_VAR/s);
   const namesIn = pattern => [...declarations.matchAll(pattern)].map(([, name]) => name);
