@@ -13,8 +13,6 @@ namespace Nowpose.Gateway;
 /// <summary>The immutable settings of a gateway. With the defaults, only clients on this machine can connect, as the protocol requires.</summary>
 public sealed record GatewayOptions
 {
-    const int MaxRate = 100_000;
-
     readonly TokenList _adapters;
     readonly ServerCertificate _certificate;
 
@@ -182,22 +180,15 @@ public sealed record GatewayOptions
 
     internal bool IsLoopback => IPAddress.IsLoopback(Bind);
 
-    /// <summary>Checks each setting and the combination of the settings.</summary>
+    /// <summary>Checks the combination of the settings.</summary>
     /// <exception cref="InputException">
-    /// A setting is out of range, two settings contradict each other, or tokens or joint positions would be sent unencrypted.
+    /// Two settings contradict each other, tokens or joint positions would be sent unencrypted, or the system allows too few file descriptors.
     /// </exception>
     internal void Check()
     {
         CheckEncryption(Certificate != null, !Tokens.IsEmpty, Headsets != null);
-        if (Certificate is { HasPrivateKey: false })
-            throw new InputException(AddressOptionMessages.NoPrivateKey);
-        CheckPort("--sync-port", SyncPort);
-        CheckPort("--ws-port", WebSocketPort);
         CheckPorts();
         CheckConnections();
-        CheckRate(nameof(SourceMessagesPerSecond), SourceMessagesPerSecond);
-        CheckRate(nameof(ObserverMessagesPerSecond), ObserverMessagesPerSecond);
-        CheckRate(nameof(SyncRequestsPerSecond), SyncRequestsPerSecond);
     }
 
     /// <summary>Checks that other machines connect with TLS, or may connect without it.</summary>
@@ -226,27 +217,9 @@ public sealed record GatewayOptions
     }
 
     /// <summary>Checks the maximum number of connections.</summary>
-    /// <exception cref="InputException">The number is too small, or the system allows too few file descriptors.</exception>
-    internal void CheckConnections()
-    {
-        if (MaxConnections < 1)
-            throw new InputException(AddressOptionMessages.MaxConnections(MaxConnections));
-        DescriptorLimit.Check(MaxConnections);
-    }
-
-    // The limit bounds the memory use: each connection stores the times of the messages of the last second.
-    static void CheckRate(string option, int perSecond)
-    {
-        if (perSecond is < 1 or > MaxRate)
-            throw new InputException(AddressOptionMessages.Rate(option, perSecond, MaxRate));
-    }
+    /// <exception cref="InputException">The system allows too few file descriptors.</exception>
+    internal void CheckConnections() => DescriptorLimit.Check(MaxConnections);
 
     // The option to name in the message: the one whose value is not the default.
     string OptionOfTheSamePort => WebSocketPort == ProtocolLimits.WebSocketPort ? "--sync-port" : "--ws-port";
-
-    static void CheckPort(string option, int port)
-    {
-        if (port is < 0 or > IPEndPoint.MaxPort)
-            throw new InputException(AddressOptionMessages.Port(option, port, IPEndPoint.MaxPort));
-    }
 }

@@ -1,29 +1,18 @@
 using System.Diagnostics;
-using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Clock;
 
 /// <summary>A control clock based on this machine's monotonic counter, with its own epoch and rate.</summary>
 /// <remarks>Serves as the ground truth of a simulation: <see cref="AtCount"/> gives its time at any count of <see cref="Stopwatch"/>.</remarks>
-public sealed class StopwatchControlClock : IControlClock
+/// <param name="atStart">Time that the clock shows now.</param>
+/// <param name="skew">Rate minus one: the clock advances (1 + skew) seconds per second of the counter. 1e-6 is 1 ppm.</param>
+public sealed class StopwatchControlClock(ControlTime atStart, double skew = 0) : IControlClock
 {
     readonly long _startCount = Stopwatch.GetTimestamp();
-    readonly ControlTime _start;
-    readonly double _skew;
-
-    /// <param name="atStart">Time that the clock shows now.</param>
-    /// <param name="skew">Rate minus one: the clock advances (1 + skew) seconds per second of the counter. 1e-6 is 1 ppm.</param>
-    public StopwatchControlClock(ControlTime atStart, double skew = 0)
-    {
-        if (!(Math.Abs(skew) < 0.1))
-            throw new ArgumentOutOfRangeException(nameof(skew), skew, PlantClockMessages.SkewOutOfRange);
-        _start = atStart;
-        _skew = skew;
-    }
 
     public ControlTime Now => AtCount(Stopwatch.GetTimestamp());
 
-    public double Skew => _skew;
+    public double Skew => skew;
 
     public TimeSpan ErrorBound { get; init; }
     public bool IsSynchronised { get; init; } = true;
@@ -41,7 +30,7 @@ public sealed class StopwatchControlClock : IControlClock
     {
         // Computes whole ticks in integers. The part due to skew is small, so a double holds it with a resolution far below a tick.
         var elapsed = (long)((Int128)(count - _startCount) * TimeSpan.TicksPerSecond / Stopwatch.Frequency);
-        var shown = _start + new TimeSpan(elapsed + (long)Math.Round(elapsed * _skew));
+        var shown = atStart + new TimeSpan(elapsed + (long)Math.Round(elapsed * skew));
         return shown - new TimeSpan(FloorRest(shown.SinceEpoch.Ticks, Resolution.Ticks));
     }
 
@@ -54,7 +43,7 @@ public sealed class StopwatchControlClock : IControlClock
         get
         {
             var startNs = (long)((Int128)_startCount * 1_000_000_000 / Stopwatch.Frequency);
-            return (_start.Nanoseconds - startNs - (long)Math.Round(startNs * _skew), 1 + _skew);
+            return (atStart.Nanoseconds - startNs - (long)Math.Round(startNs * skew), 1 + skew);
         }
     }
 

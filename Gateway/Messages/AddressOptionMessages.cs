@@ -14,12 +14,7 @@ static class AddressOptionMessages
     public static string PlainBind(IPAddress address) =>
         $"--bind {address}: unencrypted connections from other machines need --insecure-lan; --tls is safer";
 
-    public const string NoPrivateKey = "--certificate: the certificate has no private key; use one with its private key";
-
     public static string SamePorts(string option, int port) => $"{option} {port}: --sync-port and --ws-port are the same; use two different ports";
-    public static string MaxConnections(int value) => $"--max-connections {value}: must be at least 1";
-    public static string Rate(string option, int value, int max) => $"{option} {value} is out of range; allowed: 1 to {max}";
-    public static string Port(string option, int value, int max) => $"{option} {value} is out of range; allowed: 0 (any free port) to {max}";
 
     public static string PortInUse(string option, int port, IPAddress address, string reason) =>
         $"{option} {port} on {address}: {reason}; choose another port, or stop the program that uses this one and wait until its connections have ended";

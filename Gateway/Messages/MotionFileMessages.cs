@@ -3,9 +3,6 @@ namespace Nowpose.Gateway.Messages;
 /// <summary>Error messages about recorded motions. The reader adds the file and the row.</summary>
 static class MotionFileMessages
 {
-    public const string TimeNotANumber = "a time must be a number";
-
-    public static string ArrayLength(int elements, int joints) => $"the array has {elements} elements; it must have {joints}, one for each joint";
     public static string Session(string path) =>
         $"{path}: is a session; enter a motion, a .csv or .csv.gz file with the time and one column for each joint";
 

@@ -15,7 +15,6 @@ static class PlantClockMessages
 
     public static string NoResponse(double seconds) => FormattableString.Invariant($"no response within {seconds} s");
     public const string NoTime = "the adapter's response contains no time";
-    public const string SkewOutOfRange = "a clock's skew must be within ±0.1 (100 000 ppm)";
 
     public static string State(string clock, string state, bool isControlClock) =>
         isControlClock ? $"clock '{clock}': {state}; it is the control clock" : $"clock '{clock}': {state}";

@@ -3,11 +3,6 @@ namespace Nowpose.Gateway.Messages;
 /// <summary>Error messages about simulated and recorded plants.</summary>
 static class PlantMessages
 {
-    public const string SamplingTime = "must be at least one control cycle of 1 ms";
-
-    public static string AcquisitionTime(TimeSpan max) =>
-        FormattableString.Invariant($"must be from 0 ms to the maximum, {max.TotalMilliseconds} ms");
-
     /// <param name="file">Path of the recording.</param>
     public static string RigidBody(string file) =>
         $"{file}: is the motion of a rigid body; a recording with one column for each joint of the robot is needed";

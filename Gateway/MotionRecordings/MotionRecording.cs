@@ -51,10 +51,6 @@ public sealed class MotionRecording
     /// <param name="positions">Receives one element per joint, in the order of <see cref="Names"/>.</param>
     public void At(double secondsSinceStart, Span<double> positions)
     {
-        if (double.IsNaN(secondsSinceStart)) throw new ArgumentException(MotionFileMessages.TimeNotANumber, nameof(secondsSinceStart));
-        if (positions.Length != _names.Length)
-            throw new ArgumentException(MotionFileMessages.ArrayLength(positions.Length, _names.Length), nameof(positions));
-
         var after = FirstRowAfter(secondsSinceStart);
         if (after == 0 || after == _times.Length)
         {

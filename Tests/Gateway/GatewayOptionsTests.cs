@@ -65,17 +65,4 @@ public class GatewayOptionsTests
         Refuse<IOException>(
             Gateways.Options() with { WebSocketPort = gateway.WebSocketEndPoint.Port }, $"--ws-port {gateway.WebSocketEndPoint.Port}");
     }
-
-    [TestCase(0)]
-    [TestCase(int.MaxValue)]
-    public void Start_RateOutOfRange_IsRefused(int perSecond)
-    {
-        Refuse(Gateways.Options() with { SourceMessagesPerSecond = perSecond }, "SourceMessagesPerSecond");
-        Refuse(Gateways.Options() with { ObserverMessagesPerSecond = perSecond }, "ObserverMessagesPerSecond");
-        Refuse(Gateways.Options() with { SyncRequestsPerSecond = perSecond }, "allowed: 1 to 100000");
-    }
-
-    [TestCase(-1)]
-    [TestCase(65536)]
-    public void Start_PortOutOfRange_IsRefused(int port) => Refuse(Gateways.Options() with { SyncPort = port }, "65535");
 }

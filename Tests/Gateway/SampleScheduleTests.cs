@@ -64,10 +64,4 @@ public class SampleScheduleTests
         Assert.That(First(50, 50, 55, 105, 7), Is.EqualTo(First(50, 50, 55, 105, 7)));
         Assert.That(First(50, 50, 55, 105, 7), Is.Not.EqualTo(First(50, 50, 55, 105, 8)));
     }
-
-    [TestCase(0.5, 0, 0)]
-    [TestCase(50, -1, 0)]
-    [TestCase(50, 10, 5)]
-    public void CellTiming_InvalidTimes_Throws(double sampling, double min, double max) =>
-        Assert.Throws<ArgumentOutOfRangeException>(() => new CellTiming(Ms(sampling), Ms(min), Ms(max)));
 }

@@ -66,9 +66,4 @@ public class StopwatchControlClockTests
                 Math.Abs(intercept + (decimal)rate * counterNs - clock.AtCount(count).Nanoseconds), Is.LessThanOrEqualTo(200), $"after {seconds} s");
         }
     }
-
-    [TestCase(double.NaN)]
-    [TestCase(0.5)]
-    public void Constructor_ImpossibleSkew_Throws(double skew) =>
-        Assert.Throws<ArgumentOutOfRangeException>(() => new StopwatchControlClock(Epoch, skew));
 }

@@ -20,13 +20,13 @@ public sealed partial class FolderTests
     const string Common = "Tests/Common";
 
     /// <summary>
-    /// Folders that may have fewer than three files: those that GitHub, Unity, MSBuild or the include of a shader requires, and two folders
-    /// whose files fit into no other folder.
+    /// Folders that may have fewer than three files: those that GitHub, Unity, MSBuild or the include of a shader requires, the small catalogue of
+    /// the pages' messages, and two folders whose files fit into no other folder.
     /// </summary>
     static readonly string[] Small =
     [
         ".config", ".github", "Assets", "Cli/Properties", "Gateway/Adapters/licences", "Gateway/Properties",
-        RepositoryFiles.Package + "/Runtime/Settings", "ProjectSettings", "Tests/Shaders/StandIns",
+        RepositoryFiles.Package + "/Runtime/Settings", "ProjectSettings", "Tests/Shaders/StandIns", "Web/Messages",
     ];
 
     /// <summary>The usual name of an editor assembly, which hides UnityEditor.Editor only inside that assembly.</summary>
