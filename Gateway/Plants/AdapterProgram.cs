@@ -11,6 +11,7 @@ namespace Nowpose.Gateway.Plants;
 static class AdapterProgram
 {
     static readonly TimeSpan CheckTimeout = TimeSpan.FromSeconds(30);
+    static readonly JsonSerializerOptions Names = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
     static readonly string Script = Path.Combine(AppContext.BaseDirectory, "adapters", "plant.mjs");
 
     /// <summary>Runs the program to check a configuration file, without connecting to the plant.</summary>
@@ -31,15 +32,9 @@ static class AdapterProgram
             await process.WaitForExitAsync(timeout.Token);
             if (process.ExitCode != 0) throw new WrongEntriesException((await bad).Trim().Split('\n'));
             var lines = (await good).Trim().Split('\n', 2);
-            var content = PlantContent.Read(file, lines.Length == 2 ? lines[1] : "");
-            content.RequireValidRobots(file);
-            return new PlantFile(file, content.Name, lines[0].Trim())
-            {
-                Joints = content.Joints, PassesUnlisted = content.PassesUnlisted, HasObjects = content.HasObjects, Robot = content.Robot,
-                Robots = content.Robots ?? [], Warnings = content.Warnings ?? [], Frames = content.Frames ?? [],
-                Signals = content.Signals ?? [], OffersClock = content.OffersClock, SoleConnectionTo = content.SoleConnectionTo,
-                PasswordVariable = content.PasswordVariable,
-            };
+            var plant = Read(file, lines[0].Trim(), lines.Length == 2 ? lines[1] : "");
+            RequireValidRobots(plant);
+            return plant;
         }
         catch (OperationCanceledException) when (!stop.IsCancellationRequested)
         {
@@ -66,38 +61,31 @@ static class AdapterProgram
         });
     }
 
-    internal sealed record PlantContent(
-        string Name, string[] Joints, bool PassesUnlisted, string Robot, Dictionary<string, string> Robots = null, bool HasObjects = false,
-        string[] Warnings = null, Dictionary<string, string[]> Frames = null, string[] Signals = null, Dictionary<string, string> DescribedBy = null,
-        bool OffersClock = true, string SoleConnectionTo = null, string PasswordVariable = null)
+    /// <summary>Parses the result that the program printed.</summary>
+    /// <exception cref="InputException">The result has another format, for example because the program has another version.</exception>
+    internal static PlantFile Read(string file, string summary, string json)
     {
-        static readonly JsonSerializerOptions Names = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
-
-        /// <summary>Parses the result that the program printed.</summary>
-        /// <exception cref="InputException">The result has another format, for example because the program has another version.</exception>
-        public static PlantContent Read(string file, string json)
+        try
         {
-            try
-            {
-                if (JsonSerializer.Deserialize<PlantContent>(json, Names) is { Name: not null, Joints: not null } content) return content;
-            }
-            catch (JsonException)
-            {
-                // The exception below reports it.
-            }
-
-            throw new InputException(AdapterMessages.CheckUnreadable(file));
+            if (JsonSerializer.Deserialize<PlantFile>(json, Names) is { Name: not null, Joints: not null } plant)
+                return plant with { Path = file, Summary = summary };
+        }
+        catch (JsonException)
+        {
+            // The exception below reports it.
         }
 
-        /// <summary>Checks the robot descriptions of a valid file, because the program reads only the names in them.</summary>
-        /// <remarks>An invalid description from a source is only an event, because the gateway has no entry that the user could correct.</remarks>
-        /// <exception cref="WrongEntriesException">At least one description is invalid. The message names the entry of the file, and the line in the description.</exception>
-        public void RequireValidRobots(string file)
-        {
-            var wrong = new List<string>();
-            foreach (var (robot, urdf) in (Robots ?? []).Append(KeyValuePair.Create("", Robot)))
-                if (new DescribedRobot(urdf, DescribedBy?.GetValueOrDefault(robot) ?? file).Fault is { } fault) wrong.Add(fault);
-            if (wrong.Count > 0) throw new WrongEntriesException(wrong);
-        }
+        throw new InputException(AdapterMessages.CheckUnreadable(file));
+    }
+
+    // Checks the robot descriptions of a valid file, because the program reads only the names in them. An invalid description from a source is only an
+    // event, because the gateway has no entry that the user could correct.
+    static void RequireValidRobots(PlantFile plant)
+    {
+        var wrong = new List<string>();
+        foreach (var (robot, urdf) in plant.Robots.Append(KeyValuePair.Create("", plant.Robot)))
+            if (new DescribedRobot(urdf, plant.DescribedBy.GetValueOrDefault(robot) ?? plant.Path).Fault is { } fault) wrong.Add(fault);
+        // The message names the entry of the file, and the line in the description.
+        if (wrong.Count > 0) throw new WrongEntriesException(wrong);
     }
 }

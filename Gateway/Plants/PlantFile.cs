@@ -1,3 +1,4 @@
+using System.Text.Json.Serialization;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Recording;
@@ -8,13 +9,14 @@ using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Plants;
 
-/// <summary>A checked plant configuration.</summary>
+/// <summary>A checked plant configuration, read from the JSON that the adapter program prints.</summary>
 /// <param name="Path">Path of the file.</param>
 /// <param name="Name">Name of the plant, which is also the name of its adapter in the gateway's status.</param>
 /// <param name="Summary">A line for the log about the data and their source.</param>
 sealed record PlantFile(string Path, string Name, string Summary)
 {
     /// <summary>Names of the configured joints.</summary>
+    [JsonRequired]
     public IReadOnlyList<string> Joints { get; init; } = [];
 
     /// <summary>Whether the adapter also publishes joints that the file does not list.</summary>
@@ -28,6 +30,9 @@ sealed record PlantFile(string Path, string Name, string Summary)
 
     /// <summary>The URDFs that the adapter publishes for robots with a namespace, by namespace.</summary>
     public IReadOnlyDictionary<string, string> Robots { get; init; } = new Dictionary<string, string>();
+
+    /// <summary>The entry of the file that names the description of each robot, by namespace. Messages about the description begin with it.</summary>
+    public IReadOnlyDictionary<string, string> DescribedBy { get; init; } = new Dictionary<string, string>();
 
     /// <summary>The possible parents of each configured frame, by the name of the frame. Empty if the parent arrives with the pose.</summary>
     public IReadOnlyDictionary<string, string[]> Frames { get; init; } = new Dictionary<string, string[]>();

@@ -278,7 +278,7 @@ public class AdapterCheckTests : PlantFileFixture
     [TestCase("null")]
     [TestCase("{\"name\":\"cell\"}")]
     public void Check_ResultInUnknownFormat_IsRefused(string line) => Assert.That(
-        () => AdapterProgram.PlantContent.Read("press.yaml", line),
+        () => AdapterProgram.Read("press.yaml", "", line),
         Throws.TypeOf<InputException>().With.Message.EqualTo(AdapterMessages.CheckUnreadable("press.yaml")));
 
     [Test]
