@@ -38,7 +38,6 @@ public sealed class GatewayServer : IAsyncDisposable
     readonly SyncServer _sync;
     readonly PendingConnections _webPending;
     readonly ClockComparison _comparison;
-    readonly LimitAlarm _limits;
     readonly GatewayStatus _status;
     readonly WebApplication _web;
 
@@ -61,9 +60,9 @@ public sealed class GatewayServer : IAsyncDisposable
         _pairing = new PairingRoutes(options, accessControl, WebSocketConnections, Log, Web.Pages.Pairing);
         Recorder = new Recorder(options, Hub, Clock, PlantClocks, Drops, Log);
         _sync = new SyncServer(options, Clock, _access, wrong, _log.Write);
-        _limits = new LimitAlarm(Hub, Log);
+        var limits = new LimitAlarm(Hub, Log);
         var events = new EventList(options.Time, _log.Write);
-        _status = new GatewayStatus(options, Clock, PlantClocks, Hub, Drops, SyncConnections, WebSocketConnections, Recorder, _limits, events, Log);
+        _status = new GatewayStatus(options, Clock, PlantClocks, Hub, Drops, SyncConnections, WebSocketConnections, Recorder, limits, events, Log);
         var recordings = new RecordingsFolder(options.Recordings);
         RecordingsWatch = new RecordingsWatch(Recorder, recordings, events, Log);
         _webPending = new PendingConnections(options.MaxPendingConnections, options.MaxPendingInAll);
@@ -179,7 +178,6 @@ public sealed class GatewayServer : IAsyncDisposable
     {
         RecordingsWatch.Dispose();
         _status.Dispose();
-        _limits.Dispose();
         _comparison.Dispose();
         _access.Dispose();
         _rosbridge.Stop();

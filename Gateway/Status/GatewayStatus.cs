@@ -50,7 +50,6 @@ sealed class GatewayStatus : IDisposable
     readonly long[] _messages = new long[Counted.Length];
     readonly DateTimeOffset _started;
     readonly long _startCount = Stopwatch.GetTimestamp();
-    readonly IDisposable[] _subscriptions;
 
     public GatewayStatus(
         GatewayOptions options, ServedClock clock, PlantClocks plant, MessageHub hub, DropCounters drops, ConnectionCounters sync,
@@ -86,12 +85,8 @@ sealed class GatewayStatus : IDisposable
         hub.Frames.Ended += _cell.EndFrame;
         hub.Frames.Replaced += _cell.RemoveFrame;
         _started = options.Time.GetUtcNow();
-        _subscriptions =
-        [
-            .. Enumerable.Range(0, Topics.Length).Select(topic => hub.Subscribe(Topics[topic], message => Watch(topic, message))),
-            .. Enumerable.Range(0, RobotTopic.OfRobots.Length)
-                .Select(kind => hub.SubscribeToRobots(RobotTopic.OfRobots[kind], message => Watch(Topics.Length + kind, message))),
-        ];
+        foreach (var (topic, name) in Topics.Index()) hub.Subscribe(name, message => Watch(topic, message));
+        foreach (var (kind, name) in RobotTopic.OfRobots.Index()) hub.SubscribeToRobots(name, message => Watch(Topics.Length + kind, message));
         _version = hub.OpenSource();
         _version.PublishNewest(RosTopics.Version, new StringMessage(Version));
         _signals = new SignalStatusTopic(hub, clock, options.Time.GetUtcNow);
@@ -111,22 +106,12 @@ sealed class GatewayStatus : IDisposable
     /// <inheritdoc cref="GatewayServer.Expect"/>
     public void Expect(IReadOnlyList<Func<AdapterState>> adapters) => _conditions.Adapters = adapters;
 
+    /// <summary>Ends what publishes. The rest only reads the hub, which has the same lifetime.</summary>
     public void Dispose()
     {
         _watch.Dispose();
         _signals.Dispose();
         _version.Dispose();
-        _hub.RobotOfListedJoint = null;
-        _hub.Refused -= Refuse;
-        _refusals.Dispose();
-        _hub.PartDropped -= _cell.Refuse;
-        _hub.Left -= _diagnostics.Remove;
-        _hub.SampleDropped -= _joints.Refuse;
-        _hub.SourceLeft -= Leave;
-        _hub.SignalsEnded -= _cell.End;
-        _hub.Frames.Ended -= _cell.EndFrame;
-        _hub.Frames.Replaced -= _cell.RemoveFrame;
-        foreach (var subscription in _subscriptions) subscription.Dispose();
     }
 
     public StatusSnapshot Read()

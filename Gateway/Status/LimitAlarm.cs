@@ -9,24 +9,20 @@ namespace Nowpose.Gateway.Status;
 /// <summary>
 /// Logs, once per joint, that a published position is beyond the joint's limits in the description of its robot. Thread-safe; does not block publishers.
 /// </summary>
-sealed class LimitAlarm : IDisposable
+sealed class LimitAlarm
 {
-    readonly MessageHub _hub;
     readonly Action<string> _log;
     readonly Lock _lock = new();
-    readonly IDisposable[] _subscriptions;
     // By namespace, in the order of the namespaces.
     readonly SortedDictionary<string, WatchedRobot> _robots = new(StringComparer.Ordinal);
 
     public LimitAlarm(MessageHub hub, Action<string> log)
     {
-        _hub = hub;
         _log = log;
-        _subscriptions =
-        [
-            hub.Subscribe(RosTopics.RobotDescription, Describe), hub.Subscribe(RosTopics.JointStates, Take),
-            hub.SubscribeToRobots(RosTopics.RobotDescription, Describe), hub.SubscribeToRobots(RosTopics.JointStates, Take),
-        ];
+        hub.Subscribe(RosTopics.RobotDescription, Describe);
+        hub.Subscribe(RosTopics.JointStates, Take);
+        hub.SubscribeToRobots(RosTopics.RobotDescription, Describe);
+        hub.SubscribeToRobots(RosTopics.JointStates, Take);
         hub.Links.Removed += Remove;
     }
 
@@ -67,12 +63,6 @@ sealed class LimitAlarm : IDisposable
 
     /// <summary>Cell-wide names of the joints whose current position is beyond their limits.</summary>
     public IReadOnlyList<string> Joints => [.. Beyond.Select(one => one.Name)];
-
-    public void Dispose()
-    {
-        _hub.Links.Removed -= Remove;
-        foreach (var subscription in _subscriptions) subscription.Dispose();
-    }
 
     void Describe(HubMessage message)
     {

@@ -54,7 +54,8 @@ sealed class SignalStatusTopic : IDisposable
     /// <summary>Updates the signals that adapters report with a fault, and those that the gateway refuses.</summary>
     public void Report(IReadOnlyList<CellReport> reports, DateTimeOffset utcNow) => _hub.Exclusively(() =>
     {
-        if (reports.Select(Key).SequenceEqual(_reported.Select(Key))) return;
+        // An adapter may still report during a shutdown. The hub would keep a list that is published then.
+        if (_source.IsEnded || reports.Select(Key).SequenceEqual(_reported.Select(Key))) return;
         _reported = reports;
         Publish(_clock.Now, utcNow);
     });

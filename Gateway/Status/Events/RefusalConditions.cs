@@ -5,9 +5,8 @@ using Nowpose.Protocol;
 namespace Nowpose.Gateway.Status.Events;
 
 /// <summary>Finds the sources and clients whose messages the gateway refuses. Thread-safe.</summary>
-sealed class RefusalConditions : IDisposable
+sealed class RefusalConditions
 {
-    readonly MessageHub _hub;
     readonly RecentRefusals _owned;
     readonly RefusedSetPoints _setPoints;
     readonly RefusedNames _names;
@@ -15,7 +14,7 @@ sealed class RefusalConditions : IDisposable
 
     public RefusalConditions(MessageHub hub, TimeProvider time)
     {
-        (_hub, _owned, _setPoints) = (hub, new RecentRefusals(time), new RefusedSetPoints(time));
+        (_owned, _setPoints) = (new RecentRefusals(time), new RefusedSetPoints(time));
         (_names, _rates) = (new RefusedNames(time), new ExceededRates(time));
         hub.Refused += _owned.Add;
         hub.TopicReleased += _owned.Remove;
@@ -31,16 +30,6 @@ sealed class RefusalConditions : IDisposable
 
     public IEnumerable<Condition> Read() => _owned.Read().Select(OfOwned).Concat(_setPoints.Read().Select(OfSetPoints))
         .Concat(_names.Read().Select(OfName)).Concat(_rates.Read().Select(OfRate));
-
-    public void Dispose()
-    {
-        _hub.Refused -= _owned.Add;
-        _hub.TopicReleased -= _owned.Remove;
-        _hub.SetPointsRefused -= _setPoints.Refuse;
-        _hub.TopicReleased -= _setPoints.Release;
-        _hub.NameRefused -= _names.Add;
-        _hub.RateExceeded -= _rates.Add;
-    }
 
     static Condition OfOwned((string Source, string Kind, string Name, string Owner) one) =>
         OfSource(one.Source, $"{one.Kind} {one.Name}", EventTexts.Taken(one.Owner, one.Kind), EventRemedies.TwoSources);

@@ -14,7 +14,6 @@ namespace Nowpose.Headless.Tests.Gateway.Disturbances;
 /// <summary>The parts of a gateway without its sockets, in virtual time.</summary>
 sealed class DisturbedGateway
 {
-    readonly LimitAlarm _limits;
     readonly NamesInUse _names;
     readonly List<MemoryStream> _files = [];
     int _connections;
@@ -28,10 +27,10 @@ sealed class DisturbedGateway
         Hub = new MessageHub(Loop.Time);
         _names = new NamesInUse(Loop.Time);
         Recorder = new Recorder(options, Hub, Clock, Plant, Drops, Log, _ => Open());
-        _limits = new LimitAlarm(Hub, Log);
+        var limits = new LimitAlarm(Hub, Log);
         var events = new EventList(Loop.Time, (line, _) => Log(line));
         Status = new GatewayStatus(
-            options, Clock, Plant, Hub, Drops, new ConnectionCounters(), new ConnectionCounters(), Recorder, _limits, events, Log);
+            options, Clock, Plant, Hub, Drops, new ConnectionCounters(), new ConnectionCounters(), Recorder, limits, events, Log);
         Comparison = new ClockComparison(Clock, Log);
     }
 
@@ -61,7 +60,6 @@ sealed class DisturbedGateway
     {
         Recorder.SwitchOffAsync().Wait();
         Status.Dispose();
-        _limits.Dispose();
         Comparison.Dispose();
         Recorder.DisposeAsync().AsTask().Wait();
         return [.. _files.SelectMany(file => Encoding.UTF8.GetString(file.ToArray()).Split('\n', StringSplitOptions.RemoveEmptyEntries))];

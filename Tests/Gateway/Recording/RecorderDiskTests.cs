@@ -112,9 +112,9 @@ public class RecorderDiskTests
             goOn.Wait();
             return LineFile.Create(path);
         });
-        using var limits = new LimitAlarm(_cell.Hub, _ => { });
+        var limits = new LimitAlarm(_cell.Hub, _ => { });
         var (time, reports) = (TimeProvider.System, new CellReports(TimeProvider.System));
-        using var refusals = new RefusalConditions(_cell.Hub, time);
+        var refusals = new RefusalConditions(_cell.Hub, time);
         var conditions = new Conditions(
             new GatewayOptions(), _cell.Clock, new DiagnosticsBoard(time), refusals, new ConnectionLimits([], 1, time),
             reports, new CellBoard(time, reports), limits, recorder);

@@ -25,9 +25,6 @@ public class LimitAlarmTests
         _alarm = new LimitAlarm(_hub, _lines.Add);
     }
 
-    [TearDown]
-    public void Close() => _alarm.Dispose();
-
     void Send(double elbow) => _source.Publish(new JointStateMessage(ControlTime.FromSeconds(1), Joints, [0.5, elbow]));
 
     // Publishes until the position is found outside its limits, because another thread reads the description first.

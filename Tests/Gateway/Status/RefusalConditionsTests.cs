@@ -22,9 +22,6 @@ public class RefusalConditionsTests
         _hub.SubscribeToRobots(RosTopics.JointTrajectory, _conditions.Accept);
     }
 
-    [TearDown]
-    public void TearDown() => _conditions.Dispose();
-
     string[] Which() => [.. _conditions.Read().Select(one => one.Which)];
 
     HubSource Source(string name)

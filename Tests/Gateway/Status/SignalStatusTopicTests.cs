@@ -50,6 +50,17 @@ public class SignalStatusTopicTests
         Assert.That(Listed(), Does.Contain("fault"));
     }
 
+    [Test]
+    public void Report_AfterTheEndOfTheGateway_PublishesNothing()
+    {
+        _topic.Dispose();
+        var before = _published;
+
+        _topic.Report(Faults(["fault"]), DateTimeOffset.UnixEpoch);
+
+        Assert.That(_published, Is.SameAs(before));
+    }
+
     static IEnumerable<string> Names(string start, int count) => Enumerable.Range(0, count).Select(i => $"{start}{i}");
 
     static List<CellReport> Faults(IEnumerable<string> names) =>
