@@ -12,20 +12,19 @@ sealed class ClockComparison : IDisposable
 
     readonly ServedClock _served;
     readonly Action<string> _log;
-    readonly GuardedTask _look;
+    readonly PeriodicTask _look;
     readonly Dictionary<string, (TimeSpan Ahead, TimeSpan Bound)> _logged = [];
     readonly Dictionary<string, (ClockState State, long Exchanges)> _states = [];
-    Timer _timer;
 
     public ClockComparison(ServedClock served, Action<string> log)
     {
         (_served, _log) = (served, log);
-        _look = new GuardedTask(LookNow, PlantClockMessages.NotCompared, log);
+        _look = new PeriodicTask(LookNow, Interval, PlantClockMessages.NotCompared, log, TimeProvider.System);
     }
 
-    public void Start() => _timer = new Timer(_ => Look(), null, Interval, Interval);
+    public void Start() => _look.Start();
 
-    public void Dispose() => _timer?.Dispose();
+    public void Dispose() => _look.Dispose();
 
     /// <summary>Compares once, unless the previous comparison is still running.</summary>
     internal void Look() => _look.RunUnlessBusy();

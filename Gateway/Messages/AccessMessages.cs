@@ -36,8 +36,8 @@ static class AccessMessages
         return $"{line} from {plain}{(role == null ? null : $" ({role.ToString().ToLowerInvariant()}{token})")}";
     }
 
-    public static string NotChecked(string kind, string reason) =>
-        $"security: tokens and certificate could not be checked ({kind}: {reason}); check the permissions of their files";
+    public static string NotChecked(string reason) =>
+        $"security: tokens and certificate could not be checked ({reason}); check the permissions of their files";
 
     public const string OtherLinesUsed = "; its other lines are used";
     public const string FormerContentUsed = "; its previous content stays in use, including removed lines";

@@ -156,7 +156,7 @@ static class EventTexts
     public static string HeadsetsRefuse(string day, string remedy) => $"headsets have refused it since {day}; {remedy}";
 
     public const string CertificateExpired = "the gateway's certificate has expired";
-    public const string NotUpdated = "status: the state could not be updated";
+    public static string NotUpdated(string reason) => $"status: the state could not be updated ({reason})";
 
     public const string UncertainRest = "may not be at rest";
 

@@ -5,7 +5,7 @@ namespace Nowpose.Gateway.Messages;
 /// <summary>States and comparisons of the control clock and of the plants' clocks, for the log.</summary>
 static class PlantClockMessages
 {
-    public const string NotCompared = "clock: the clocks could not be compared";
+    public static string NotCompared(string reason) => $"clock: the clocks could not be compared ({reason})";
 
     public static string Compared(string clock, double aheadMs, double boundMs, string source, double? skewPpm) =>
         FormattableString.Invariant($"clock '{clock}': {aheadMs:+0.00;-0.00;0.00} ms (± {boundMs:0.00}) against '{source}', skew ")

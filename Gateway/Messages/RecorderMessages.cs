@@ -20,7 +20,7 @@ static class RecorderMessages
 
     public const string OnField = "on: must be \"true\" or \"false\"";
     public const string UnknownName = "no recording in the folder has this name; /operations/recordings lists the names";
-    public const string FolderNotChecked = "recordings: the folder could not be checked";
+    public static string FolderNotChecked(string reason) => $"recordings: the folder could not be checked ({reason})";
     public static string FolderNotRead(string reason) => $"the folder of recordings cannot be read ({reason}); check the folder and its permissions";
 
     public const string RecordWithoutFolder = "--record: needs the option --recordings FOLDER";

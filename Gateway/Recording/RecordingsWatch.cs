@@ -11,23 +11,21 @@ sealed class RecordingsWatch : IDisposable
     readonly Recorder _recorder;
     readonly RecordingsFolder _folder;
     readonly EventList _events;
-    readonly GuardedTask _look;
-    readonly Timer _timer;
+    readonly PeriodicTask _look;
     HashSet<string> _listed = [];
     bool _isUnreadable;
 
     public RecordingsWatch(Recorder recorder, RecordingsFolder folder, EventList events, Action<string> log)
     {
         (_recorder, _folder, _events) = (recorder, folder, events);
-        _look = new GuardedTask(LookNow, RecorderMessages.FolderNotChecked, log);
+        _look = new PeriodicTask(LookNow, Interval, RecorderMessages.FolderNotChecked, log, TimeProvider.System);
         _look.RunUnlessBusy();
-        _timer = new Timer(_ => LookUnlessBusy());
-        if (recorder.CanRecord) _timer.Change(Interval, Interval);
+        if (recorder.CanRecord) _look.Start();
     }
 
     public void Look() => _look.Exclude(LookNow);
 
-    public void Dispose() => _timer.Dispose();
+    public void Dispose() => _look.Dispose();
 
     // Skips the check while the previous one is still waiting for the disk, so that at most one thread waits.
     internal void LookUnlessBusy() => _look.RunUnlessBusy();

@@ -18,17 +18,15 @@ sealed class AccessWatch : IDisposable
     readonly GatewayOptions _options;
     // In the order in which they began.
     readonly LinkedList<Watched> _watched = [];
-    readonly Action<string> _log;
     readonly ExpiryNotice _expiry;
-    readonly Timer _timer;
+    readonly PeriodicTask _look;
 
     public AccessWatch(GatewayOptions options, Action<string> log)
     {
         _options = options;
-        _log = log;
         _expiry = new ExpiryNotice(log);
         Sources = new SourceShares(options);
-        _timer = new Timer(_ => Look());
+        _look = new PeriodicTask(Follow, Interval, AccessMessages.NotChecked, log, TimeProvider.System);
     }
 
     public SourceShares Sources { get; }
@@ -43,7 +41,11 @@ sealed class AccessWatch : IDisposable
     }
 
     /// <summary>Starts the periodic check. The first check is immediate.</summary>
-    public void Start() => _timer.Change(TimeSpan.Zero, Timeout.InfiniteTimeSpan);
+    public void Start()
+    {
+        _look.RunUnlessBusy();
+        _look.Start();
+    }
 
     /// <summary>
     /// Watches a connection until the returned object is disposed. At the maximum of a paired headset, the connection replaces the oldest one.
@@ -69,32 +71,11 @@ sealed class AccessWatch : IDisposable
         return watched;
     }
 
+    /// <summary>Ends the periodic check, and waits for the present one.</summary>
     public void Dispose()
     {
-        using var stopped = new ManualResetEvent(false);
-        if (_timer.Dispose(stopped)) stopped.WaitOne();
-    }
-
-    void Look()
-    {
-        try
-        {
-            Follow();
-        }
-        catch (Exception e)
-        {
-            // Catches all exceptions, because an unhandled exception on a timer's thread ends the process.
-            _log(AccessMessages.NotChecked(e.GetType().Name, e.Message));
-        }
-
-        try
-        {
-            _timer.Change(Interval, Timeout.InfiniteTimeSpan);
-        }
-        catch (ObjectDisposedException)
-        {
-            // The watch was disposed in the meantime.
-        }
+        _look.Dispose();
+        _look.Exclude(() => { });
     }
 
     void Follow()

@@ -15,17 +15,15 @@ sealed class StatusWatch : IDisposable
     readonly JointStatusTopic _topic;
     readonly Action _reportSignals;
     readonly ClockSteps _steps;
-    readonly GuardedTask _look;
-    readonly ITimer _timer;
-    bool _isDisposed;
+    readonly PeriodicTask _look;
 
     /// <param name="reportSignals">Updates the list of signals.</param>
     public StatusWatch(
         Conditions conditions, EventList events, JointBoard joints, JointStatusTopic topic, Action reportSignals, PlantClocks plant, TimeProvider time, Action<string> log)
     {
         (_conditions, _events, _joints, _topic, _reportSignals, _steps) = (conditions, events, joints, topic, reportSignals, new ClockSteps(plant, events));
-        _look = new GuardedTask(LookNow, EventTexts.NotUpdated, log);
-        _timer = time.CreateTimer(_ => Look(), null, Interval, Interval);
+        _look = new PeriodicTask(LookNow, Interval, EventTexts.NotUpdated, log, time);
+        _look.Start();
     }
 
     /// <summary>Checks once, unless the previous check is still running.</summary>
@@ -33,14 +31,12 @@ sealed class StatusWatch : IDisposable
 
     public void Dispose()
     {
-        _timer.Dispose();
-        _look.Exclude(() => _isDisposed = true);
-        _topic.Dispose();
+        _look.Dispose();
+        _look.Exclude(_topic.Dispose);
     }
 
     void LookNow()
     {
-        if (_isDisposed) return;
         var joints = _joints.Read();
         _events.Update(_conditions.Read(joints));
         _topic.Publish(joints);
