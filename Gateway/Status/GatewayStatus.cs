@@ -122,9 +122,9 @@ sealed class GatewayStatus : IDisposable
         var active = sources.SelectMany(source => source.Names).ToHashSet();
         var robots = joints.Where(joint => joint.Robot != null && active.Contains(joint.Name)).Select(joint => joint.Robot).Distinct();
         var hasOneRobot = robots.Count() == 1;
+        var forwarding = _hub.Forwarding.SortedRecent();
         var hops = new HopTimes(
-            hasOneRobot ? Middle([.. sources.SelectMany(source => source.SortedAges).Order()]) : null,
-            _hub.Forwarding.Percentile(0.5)?.TotalMilliseconds);
+            hasOneRobot ? Middle([.. sources.SelectMany(source => source.SortedAges).Order()]) : null, Middle(forwarding));
         var reports = _diagnostics.Read();
         var beyond = _limits.Joints;
         var conditions = ConditionsOf(joints);
@@ -146,7 +146,7 @@ sealed class GatewayStatus : IDisposable
             Frames = frames,
             Signals = signals,
             Headsets = [.. reports.Where(one => !one.IsOfAdapter).Select(one => StatusObjects.Headset(one, hops))],
-            ForwardMs = OfForwarding(),
+            ForwardMs = forwarding.Length == 0 ? null : new SpanStatus(At(forwarding, 0.5), At(forwarding, 0.99)),
             Connections = _connections.ToDictionary(server => server.Name, server => Of(server.Counters)),
             Messages = Enumerable.Range(0, Counted.Length).ToDictionary(topic => Counted[topic], topic => Interlocked.Read(ref _messages[topic])),
             Drops = _drops.Snapshot().ToDictionary(drop => drop.Key.ToString(), drop => drop.Value),
@@ -235,9 +235,6 @@ sealed class GatewayStatus : IDisposable
     static TimeSpan? Measured(TimeSpan? length) => length > TimeSpan.Zero ? length : null;
 
     static double Rounded(double value) => Math.Round(value, 3);
-
-    SpanStatus OfForwarding() => _hub.Forwarding.Percentile(0.5) is { } half && _hub.Forwarding.Percentile(0.99) is { } most
-        ? new SpanStatus(Math.Round(half.TotalMilliseconds, 3), Math.Round(most.TotalMilliseconds, 3)) : null;
 
     static SourceStatus Of((string[] Names, double RateHz, TimeSpan[] SortedAges) source, IReadOnlyList<string> beyond) => new(
         source.Names, Math.Round(source.RateHz, 2),

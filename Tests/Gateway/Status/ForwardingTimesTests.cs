@@ -5,22 +5,32 @@ namespace Nowpose.Headless.Tests.Gateway.Status;
 
 public class ForwardingTimesTests
 {
+    static TimeSpan Ms(double value) => TimeSpan.FromMilliseconds(value);
+
     [Test]
-    public void Percentile_TimesOlderThanAMinute_ExcludesThem()
+    public void SortedRecent_TimesOlderThanAMinute_ExcludesThem()
     {
         var time = new SteppedTime();
         var times = new ForwardingTimes(time);
-        times.Add(TimeSpan.FromMilliseconds(40));
+        times.Add(Ms(40));
 
-        time.Advance(TimeSpan.FromSeconds(29));
-        Assert.That(times.Percentile(0.99)?.TotalMilliseconds, Is.EqualTo(40).Within(7).Percent);
-        time.Advance(TimeSpan.FromSeconds(2));
-        times.Add(TimeSpan.FromMilliseconds(2));
-        Assert.That(times.Percentile(0.99)?.TotalMilliseconds, Is.EqualTo(40).Within(7).Percent, "still within the minute");
-        time.Advance(TimeSpan.FromSeconds(31));
-        Assert.That(times.Percentile(0.99)?.TotalMilliseconds, Is.EqualTo(2).Within(7).Percent);
-        time.Advance(TimeSpan.FromSeconds(61));
-        Assert.That(times.Percentile(0.99), Is.Null);
+        time.Advance(TimeSpan.FromSeconds(59));
+        times.Add(Ms(2));
+        Assert.That(times.SortedRecent(), Is.EqualTo(new[] { Ms(2), Ms(40) }));
+        time.Advance(TimeSpan.FromSeconds(1));
+        Assert.That(times.SortedRecent(), Is.EqualTo(new[] { Ms(2) }));
+        time.Advance(TimeSpan.FromSeconds(59));
+        Assert.That(times.SortedRecent(), Is.Empty);
+    }
+
+    [Test]
+    public void SortedRecent_ManyTimes_ReturnsTheNewest()
+    {
+        var times = new ForwardingTimes(new SteppedTime());
+
+        for (var i = 0; i < 10_000; i++) times.Add(new TimeSpan(i));
+
+        Assert.That(times.SortedRecent(), Is.EqualTo(Enumerable.Range(10_000 - 8192, 8192).Select(i => new TimeSpan(i))));
     }
 
     [Test]
@@ -33,7 +43,7 @@ public class ForwardingTimesTests
         times.Add(TimeSpan.FromSeconds(2));
 
         time.Advance(TimeSpan.FromHours(1));
-        times.Percentile(0.5);
+        times.SortedRecent();
 
         var five = Array.IndexOf(ForwardingTimes.Limits, 0.005);
         Assert.That(times.Counts()[five], Is.EqualTo(1), "a value equal to the upper limit is in its bucket");
