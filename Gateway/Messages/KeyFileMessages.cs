@@ -25,12 +25,6 @@ static class KeyFileMessages
     public static string NotWritten(string path, string reason) =>
         $"{path}: the new certificate cannot be written ({reason}); check the folder's permissions";
 
-    public static string Expired(string day) =>
-        $"certificate: expired on {day}, so headsets refuse it; renew the file with the same key; no restart is needed";
-
-    public static string Expires(string day, double days) =>
-        FormattableString.Invariant($"certificate: expires on {day}, in {days:0.0} days; renew the file with the same key; no restart is ")
-        + "needed";
-
-    public static string Renewed(string day) => $"certificate: renewed, valid to {day}";
+    /// <param name="until">Expiry of the new certificate, UTC.</param>
+    public static string Renewed(DateTime until) => FormattableString.Invariant($"certificate: renewed, valid to {until:yyyy-MM-dd HH:mm} UTC");
 }

@@ -18,13 +18,11 @@ sealed class AccessWatch : IDisposable
     readonly GatewayOptions _options;
     // In the order in which they began.
     readonly LinkedList<Watched> _watched = [];
-    readonly ExpiryNotice _expiry;
     readonly PeriodicTask _look;
 
     public AccessWatch(GatewayOptions options, Action<string> log)
     {
         _options = options;
-        _expiry = new ExpiryNotice(log);
         Sources = new SourceShares(options);
         _look = new PeriodicTask(Follow, Interval, AccessMessages.NotChecked, log, TimeProvider.System);
     }
@@ -88,8 +86,6 @@ sealed class AccessWatch : IDisposable
         {
             watched.End(Closure.Token);
         }
-
-        _expiry.Look(_options.Certificate?.NotAfter, DateTime.Now);
     }
 
     sealed class Watched(AccessWatch watch, byte[] tokenHash, Role role, Action<Closure> end, Func<bool> lasts) : IDisposable

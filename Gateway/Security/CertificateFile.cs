@@ -16,16 +16,18 @@ public sealed class CertificateFile
     readonly CertificatePin _pin;
     readonly string _path;
     readonly string _keyPath;
+    readonly Action<string> _log;
+    DateTime? _until;
 
     /// <param name="path">Path of a .pfx or .pem file. If the file does not exist, it is created with a new certificate.</param>
     /// <param name="keyPath">Path of the .pem file of the key; null if the key is in the certificate's file.</param>
-    /// <param name="log">Receives a line when the file becomes invalid; null for no log.</param>
+    /// <param name="log">Receives a line when the file becomes invalid, and when it was renewed; null for no log.</param>
     /// <inheritdoc cref="CertificateFiles.LoadOrGenerate"/>
     public CertificateFile(string path, string keyPath, Action<string> log, IReadOnlyList<string> hostNames = null)
     {
         using (var first = CertificateFiles.LoadOrGenerate(path, keyPath, hostNames))
             _pin = CertificatePin.Of(first);
-        (_path, _keyPath) = (path, keyPath);
+        (_path, _keyPath, _log) = (path, keyPath, log);
         _file = new FollowedFile<ServerCertificate>([path, keyPath], (out string fault) =>
         {
             fault = null;
@@ -48,8 +50,15 @@ public sealed class CertificateFile
     {
         var loaded = CertificateFiles.LoadValid(path, keyPath);
         var pin = CertificatePin.Of(loaded.Certificate);
-        if (pin.Equals(_pin)) return loaded;
-        loaded.Certificate.Dispose();
-        throw new InputException(KeyFileMessages.OtherKey(path, pin));
+        if (!pin.Equals(_pin))
+        {
+            loaded.Certificate.Dispose();
+            throw new InputException(KeyFileMessages.OtherKey(path, pin));
+        }
+
+        var until = loaded.Certificate.NotAfter.ToUniversalTime();
+        if (_until is { } former && former != until) _log?.Invoke(KeyFileMessages.Renewed(until));
+        _until = until;
+        return loaded;
     }
 }

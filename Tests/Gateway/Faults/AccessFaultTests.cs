@@ -39,7 +39,7 @@ public class AccessFaultTests
 
         // The certificate is written only now, because it is valid for 10 s, and a busy machine may take longer to connect and synchronise.
         CertificatesOfOneKey.Write(path, key, DateTimeOffset.UtcNow.AddSeconds(10));
-        await Soon.BecomesAsync(() => _log.Any(line => line.Contains("certificate: expired on")), "logged by gateway: " + string.Join('\n', _log));
+        await Soon.BecomesAsync(() => _log.Any(line => line.Contains(EventTexts.CertificateExpired)), "logged by gateway: " + string.Join('\n', _log));
         Assert.That(await ReadinessAsync(gateway), Is.EqualTo(503));
         // Existing connections continue, but a new connection would receive the expired certificate.
         await headset.BecomesAsync(() => headset.IsConnected && headset.State == PoseState.Current, "existing connections continue");
@@ -52,7 +52,7 @@ public class AccessFaultTests
         var took = await headset.BecomesAsync(PoseState.Current);
 
         Recovery.Print("certificate expired, from the renewed file to a current pose", took);
-        await Soon.BecomesAsync(() => _log.Any(line => line.Contains(KeyFileMessages.Renewed(""))), "renewal logged");
+        await Soon.BecomesAsync(() => _log.Contains(KeyFileMessages.Renewed(options.CertificateExpires.Value)), "renewal logged");
     }
 
     [Test]

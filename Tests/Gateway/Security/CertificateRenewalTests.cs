@@ -39,6 +39,7 @@ public class CertificateRenewalTests
         await Soon.BecomesAsync(() => ShownAsync(gateway).Result.NotAfter > former.NotAfter, "shown");
         Assert.That(CertificatePin.Of(await ShownAsync(gateway)), Is.EqualTo(gateway.Pin));
         Assert.That(options.CertificateExpires, Is.GreaterThan(DateTime.UtcNow.AddDays(399)));
+        Assert.That(_log, Is.EqualTo(new[] { KeyFileMessages.Renewed(options.CertificateExpires.Value) }));
     }
 
     [Test]
@@ -54,27 +55,6 @@ public class CertificateRenewalTests
         var expected = KeyFileMessages.OtherKey(CertificatePath, null).Split("(pin")[0];
         await Soon.BecomesAsync(() => _log.Any(line => line.StartsWith(expected, StringComparison.Ordinal)), "logged");
         Assert.That(CertificatePin.Of(await ShownAsync(gateway)), Is.EqualTo(gateway.Pin));
-    }
-
-    [TestCase(100, 90, null)]
-    [TestCase(20, 10, false)]
-    [TestCase(20, 21, true)]
-    public void Look_ExpiryNearOrFar_LogsOnceIfNearAndThenTheRenewal(int lastsDays, int atDays, bool? hasExpired)
-    {
-        var notice = new ExpiryNotice(_log.Enqueue);
-        var start = new DateTime(2026, 11, 20);
-
-        notice.Look(start.AddDays(lastsDays + 80), start.AddDays(0));
-        for (var i = 0; i < 3; i++)
-            notice.Look(start.AddDays(hasExpired == null ? lastsDays + 80 : lastsDays), start.AddDays(atDays));
-        var logged = _log.ToArray();
-        notice.Look(start.AddDays(1000), start.AddDays(atDays));
-
-        Assert.That(logged.Length, Is.EqualTo(hasExpired == null ? 0 : 1));
-        if (hasExpired is not { } isExpired) return;
-        Assert.That(logged[0], Is.EqualTo(
-            isExpired ? KeyFileMessages.Expired("2026-12-10 00:00") : KeyFileMessages.Expires("2026-12-10 00:00", lastsDays - atDays)));
-        Assert.That(_log.Last(), Is.EqualTo(KeyFileMessages.Renewed("2029-08-16 00:00")));
     }
 
     CertificateFile Follow() => new(CertificatePath, null, _log.Enqueue);
