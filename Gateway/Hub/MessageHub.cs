@@ -20,8 +20,8 @@ public sealed class MessageHub
     {
         Time = time ?? TimeProvider.System;
         Forwarding = new ForwardingTimes(Time);
-        Links = new RobotLinks(() => Exclusively(Frames.RemoveCycles));
         Frames = new CellFrames(Links, Samples, Time, PublishNumbered, ReportDropped);
+        Links.Changed += (_, _) => Exclusively(Frames.RemoveCycles);
         _signals = new CellSignals(
             Time, PublishNumbered, names => SignalsBegan?.Invoke(names), (source, names) => SignalsEnded?.Invoke(source, names));
     }
@@ -40,8 +40,8 @@ public sealed class MessageHub
     /// <summary>The frames of the cell. Outside of the hub, only their events may be used.</summary>
     internal CellFrames Frames { get; }
 
-    /// <summary>The links of the described robots.</summary>
-    internal RobotLinks Links { get; }
+    /// <summary>The descriptions and the links of the robots.</summary>
+    internal RobotLinks Links { get; } = new();
 
     /// <summary>The newest joint states and moving poses. <see cref="Subscribe(string, Action{HubMessage})"/> does not pass them to a new subscriber.</summary>
     internal NewestSamples Samples { get; } = new();

@@ -1,3 +1,4 @@
+using System.Collections.Immutable;
 using Nowpose.Gateway.Recording;
 using Nowpose.Kinematics;
 using Nowpose.Protocol;
@@ -5,18 +6,24 @@ using Nowpose.Session;
 
 namespace Nowpose.Gateway.Hub;
 
-/// <summary>The links of all robots that have a description, by their cell-wide names. Thread-safe.</summary>
+/// <summary>The descriptions of all robots, and their links by their cell-wide names. Thread-safe.</summary>
 /// <remarks>A description is parsed in the background, because parsing is slow. Its links are unknown until parsing has finished.</remarks>
-/// <param name="changed">Called after the links of a robot have become known or have changed.</param>
-sealed class RobotLinks(Action changed)
+sealed class RobotLinks
 {
     readonly Lock _lock = new();
-    readonly Dictionary<string, DescribedRobot> _described = [];
+    volatile ImmutableSortedDictionary<string, DescribedRobot> _described =
+        ImmutableSortedDictionary.Create<string, DescribedRobot>(StringComparer.Ordinal);
     // The root link of each robot, and its links with the joints that decide whether their poses are current.
     readonly Dictionary<string, (IReadOnlyDictionary<string, string[]> Links, string Root)> _robots = [];
 
     /// <summary>Completes when all descriptions passed so far are parsed.</summary>
     internal Task Read { get; private set; } = Task.CompletedTask;
+
+    /// <summary>The described robots by their namespaces, also those whose description has not been parsed yet. Replaced as a whole.</summary>
+    public ImmutableSortedDictionary<string, DescribedRobot> Described => _described;
+
+    /// <summary>Raised with the namespace of a robot and its new description, after the description has been parsed. Called without a lock.</summary>
+    public event Action<string, DescribedRobot> Changed;
 
     /// <summary>Raised with the namespace of a robot that the hub has removed, with its description. Called under the hub's lock.</summary>
     public event Action<string> Removed;
@@ -27,7 +34,8 @@ sealed class RobotLinks(Action changed)
         lock (_lock)
         {
             if (_described.GetValueOrDefault(robot)?.Urdf == urdf) return;
-            var described = _described[robot] = new DescribedRobot(urdf);
+            var described = new DescribedRobot(urdf, RobotTopic.NameOf(robot, RosTopics.RobotDescription));
+            _described = _described.SetItem(robot, described);
             Read = Task.WhenAll(Read, Task.Run(() => Add(robot, described)));
         }
     }
@@ -36,7 +44,7 @@ sealed class RobotLinks(Action changed)
     {
         lock (_lock)
         {
-            _described.Remove(robot);
+            _described = _described.Remove(robot);
             _robots.Remove(robot);
         }
 
@@ -71,7 +79,7 @@ sealed class RobotLinks(Action changed)
             else _robots[robot] = (LinksOf(robot, model), RobotTopic.Qualified(robot, model.Root.Name));
         }
 
-        changed();
+        Changed?.Invoke(robot, described);
     }
 
     static Dictionary<string, string[]> LinksOf(string robot, RobotModel model) => Enumerable.Range(0, model.Links.Count).ToDictionary(

@@ -46,8 +46,6 @@ public sealed class Recorder : IAsyncDisposable
     readonly ITimer _timer;
     volatile RecordedFile _file;
     volatile bool _isWanted;
-    // The described robots by their namespaces; replaced as a whole.
-    ImmutableSortedDictionary<string, DescribedRobot> _robots = ImmutableSortedDictionary.Create<string, DescribedRobot>(StringComparer.Ordinal);
     bool _isDisposed;
     // Number of the earlier files since the recorder was enabled, with their numbers of written and of missing records and their size.
     (int Files, long Lines, long Lost, long Bytes) _before;
@@ -68,10 +66,7 @@ public sealed class Recorder : IAsyncDisposable
         _open = open ?? LineFile.Create;
         _exists = open == null ? LineFile.Exists : _ => true;
         _timer = options.Time.CreateTimer(_ => Tick(), null, Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan);
-        _subscriptions.Add(hub.Subscribe(RosTopics.RobotDescription, Describe));
-        _subscriptions.Add(hub.SubscribeToRobots(RosTopics.RobotDescription, Describe));
-        foreach (var robot in hub.Robots)
-            if (hub.DescriptionOf(robot) is { } urdf) Describe(robot, urdf);
+        hub.Links.Changed += (_, _) => RenewOnRobotChange();
         foreach (var topic in Topics) _subscriptions.Add(hub.Subscribe(topic, Take));
         foreach (var topic in RobotTopics) _subscriptions.Add(hub.SubscribeToRobots(topic, Take));
         plant.Added += Listen;
@@ -181,24 +176,14 @@ public sealed class Recorder : IAsyncDisposable
         if (file.RequestsNext(_maxBytes)) ThreadPool.UnsafeQueueUserWorkItem(_ => Renew(file), null);
     }
 
-    // Must not block, because the hub calls this method under its lock.
-    void Describe(HubMessage message) => Describe(message.Robot, ((StringMessage)message.Content).Data);
-
-    void Describe(string robot, string urdf)
-    {
-        ImmutableInterlocked.Update(
-            ref _robots, robots => robots.GetValueOrDefault(robot)?.Urdf == urdf ? robots : robots.SetItem(robot, new DescribedRobot(urdf)));
-        RenewOnRobotChange();
-    }
-
     // Called after a new robot description and after the start of a file. If both happen at once, the later call sees both changes.
     void RenewOnRobotChange()
     {
         Interlocked.MemoryBarrier();
         if (!_isWanted) return;
         var file = _file;
-        // Continues on another thread, because parsing a URDF is slow and must not block the publisher.
-        if (file.Robots != _robots) ThreadPool.UnsafeQueueUserWorkItem(_ => Renew(file), null);
+        // Continues on another thread, because parsing a URDF and creating a file are slow and must not block the caller.
+        if (file.Robots != _hub.Links.Described) ThreadPool.UnsafeQueueUserWorkItem(_ => Renew(file), null);
     }
 
     void Listen(PlantClock asked)
@@ -244,7 +229,7 @@ public sealed class Recorder : IAsyncDisposable
     // Called without the lock, because it parses a URDF and accesses the disk, which may take long.
     (DateTime Now, string Path, ImmutableSortedDictionary<string, DescribedRobot> Robots) Prepare()
     {
-        var robots = _robots;
+        var robots = _hub.Links.Described;
         foreach (var robot in robots.Values) _ = robot.Model;
         var now = _options.Time.GetUtcNow().UtcDateTime;
         return (now, _paths.Free(now), robots);

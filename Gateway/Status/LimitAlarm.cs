@@ -11,6 +11,7 @@ namespace Nowpose.Gateway.Status;
 /// </summary>
 sealed class LimitAlarm
 {
+    readonly RobotLinks _links;
     readonly Action<string> _log;
     readonly Lock _lock = new();
     // By namespace, in the order of the namespaces.
@@ -18,12 +19,11 @@ sealed class LimitAlarm
 
     public LimitAlarm(MessageHub hub, Action<string> log)
     {
-        _log = log;
-        hub.Subscribe(RosTopics.RobotDescription, Describe);
+        (_links, _log) = (hub.Links, log);
         hub.Subscribe(RosTopics.JointStates, Take);
-        hub.SubscribeToRobots(RosTopics.RobotDescription, Describe);
         hub.SubscribeToRobots(RosTopics.JointStates, Take);
-        hub.Links.Removed += Remove;
+        _links.Changed += Describe;
+        _links.Removed += Remove;
     }
 
     /// <summary>The robots with a valid description that has been parsed, and their namespaces.</summary>
@@ -64,34 +64,16 @@ sealed class LimitAlarm
     /// <summary>Cell-wide names of the joints whose current position is beyond their limits.</summary>
     public IReadOnlyList<string> Joints => [.. Beyond.Select(one => one.Name)];
 
-    void Describe(HubMessage message)
+    void Describe(string robot, DescribedRobot described)
     {
-        var described = new DescribedRobot(((StringMessage)message.Content).Data, message.Topic);
+        // Ignores a description that a newer one has replaced in the meantime, and that of a robot that the hub has removed.
         lock (_lock)
-        {
-            if (!_robots.TryGetValue(message.Robot, out var robot)) _robots.Add(message.Robot, robot = new WatchedRobot());
-            // Ignores an equal description, which a source sends after each reconnection, so that no joint is logged twice.
-            if (described.Urdf == robot.Described?.Urdf) return;
-            robot.Described = described;
-            _ = Task.Run(() => Follow(robot, described));
-        }
+            if (_links.Described.GetValueOrDefault(robot) == described) _robots[robot] = new WatchedRobot(described);
     }
 
     void Remove(string robot)
     {
         lock (_lock) _robots.Remove(robot);
-    }
-
-    // Parses the description, which is slow.
-    void Follow(WatchedRobot robot, DescribedRobot described)
-    {
-        var (model, fault) = (described.Model, described.Fault);
-        lock (_lock)
-        {
-            if (described != robot.Described) return;
-            (robot.Model, robot.Fault, robot.Logged) = (model, fault, 0);
-            robot.Watch = model == null ? null : new LimitWatch(model);
-        }
     }
 
     void Take(HubMessage message)
@@ -117,17 +99,16 @@ sealed class LimitAlarm
         words?.ForEach(_log);
     }
 
-    sealed class WatchedRobot
+    sealed class WatchedRobot(DescribedRobot described)
     {
-        public DescribedRobot Described { get; set; }
+        /// <summary>Null without a valid description.</summary>
+        public RobotModel Model => described.Model;
 
-        /// <summary>Null without a valid description, or while the description is being parsed.</summary>
-        public RobotModel Model { get; set; }
+        /// <summary>The reason why the description is invalid; null if it is valid.</summary>
+        public string Fault => described.Fault;
 
-        /// <summary>The reason why the description is invalid; null if it is valid, or while it is being parsed for the first time.</summary>
-        public string Fault { get; set; }
-
-        public LimitWatch Watch { get; set; }
+        /// <summary>Null without a valid description.</summary>
+        public LimitWatch Watch { get; } = described.Model == null ? null : new LimitWatch(described.Model);
 
         /// <summary>Number of joints that have been logged.</summary>
         public int Logged { get; set; }
