@@ -72,8 +72,7 @@ public sealed class GatewayServer : IAsyncDisposable
             _pairing.ServeAsync,
             new StatusRoutes(_status, accessControl).ServeAsync,
             new RecordingRoutes(Recorder, recordings, accessControl).ServeAsync,
-            new OperationsRoutes(options, accessControl, WebSocketConnections, Web.Pages.Operations).ServeAsync,
-            RosbridgeServer.CountFragmentsAsync);
+            new OperationsRoutes(options, accessControl, WebSocketConnections, Web.Pages.Operations).ServeAsync);
     }
 
     /// <summary>Endpoint of the sync server, with the actual port even if port 0 was requested.</summary>

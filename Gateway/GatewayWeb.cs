@@ -3,6 +3,7 @@ using Microsoft.AspNetCore.Server.Kestrel.Core;
 using Microsoft.AspNetCore.Server.Kestrel.Https;
 using Microsoft.AspNetCore.Server.Kestrel.Transport.Sockets;
 using Microsoft.Extensions.Options;
+using Nowpose.Gateway.Rosbridge;
 using Nowpose.Gateway.Security;
 using Nowpose.Protocol;
 
@@ -24,7 +25,8 @@ static class GatewayWeb
     /// <param name="log">Receives short lines without secrets, on any thread.</param>
     /// <param name="rosbridge">Serves WebSockets.</param>
     /// <param name="before">
-    /// Handlers called before <paramref name="rosbridge"/>, in this order. Each serves a request or calls the next handler.
+    /// Handlers called before <paramref name="rosbridge"/>, in this order, but not for WebSocket requests. Each serves a request or calls the next
+    /// handler.
     /// </param>
     public static WebApplication Build(
         GatewayOptions options, PendingWebConnections pending, ConnectionCounters counters, Action<string> log, RequestDelegate rosbridge,
@@ -47,7 +49,9 @@ static class GatewayWeb
         var web = builder.Build();
         web.Use(next => context => PendingWebConnections.CompleteHandshakeAsync(context, next));
         web.Use(next => context => SecurityHeaders.AddAsync(context, next));
-        foreach (var serve in before) web.Use(next => context => serve(context, next));
+        foreach (var serve in before)
+            web.Use(next => context => context.Request.Headers.Upgrade.Count > 0 ? next(context) : serve(context, next));
+        web.Use(next => context => RosbridgeServer.CountFragmentsAsync(context, next));
         web.UseWebSockets(new WebSocketOptions { KeepAliveInterval = Timeout.InfiniteTimeSpan });
         web.Run(rosbridge);
         return web;

@@ -17,14 +17,8 @@ sealed partial class HtmlPage(string html)
     public Task SendAsync(HttpContext context)
     {
         if (!IsBuilt) return AccessControl.AnswerAsync(context, StatusCodes.Status503ServiceUnavailable, OperationsMessages.PageMissing);
-        var response = context.Response;
-        response.ContentType = "text/html; charset=utf-8";
-        response.ContentLength = _page.Length;
-        response.Headers.CacheControl = "no-store";
-        // Closes the connection, so that a client without a token does not keep a connection that a client with a token needs.
-        response.Headers.Connection = "close";
-        response.Headers.ContentSecurityPolicy = _policy;
-        return response.Body.WriteAsync(_page).AsTask();
+        context.Response.Headers.ContentSecurityPolicy = _policy;
+        return AccessControl.SendAsync(context, "text/html; charset=utf-8", _page);
     }
 
     // Copies the policy in the page, which contains the hashes of its script and style, into a header. Only a header can forbid other sites

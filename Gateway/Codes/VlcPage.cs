@@ -24,16 +24,13 @@ sealed class VlcPage(GatewayOptions options, IControlClock clock, AccessControl 
 
     public bool IsBuilt => _page.IsBuilt;
 
-    /// <summary>
-    /// Handles requests for the page and for the time. Passes all other requests to the next handler, including WebSocket requests to these paths.
-    /// </summary>
+    /// <summary>Handles requests for the page and for the time. Passes on all others.</summary>
     public Task ServeAsync(HttpContext context, RequestDelegate next)
     {
         // Reads the time first, because any work before it would count as network latency.
         var received = clock.Now;
-        var isSocket = context.Request.Headers.Upgrade.Count > 0;
-        if (!isSocket && context.Request.Path == TimePath) return SendTimeAsync(context, received);
-        return !isSocket && context.Request.Path == Path ? ShowAsync(context) : next(context);
+        if (context.Request.Path == TimePath) return SendTimeAsync(context, received);
+        return context.Request.Path == Path ? ShowAsync(context) : next(context);
     }
 
     async Task ShowAsync(HttpContext context)

@@ -14,12 +14,10 @@ sealed class OperationsRoutes(GatewayOptions options, AccessControl accessContro
     readonly HtmlPage _page = new(html);
     readonly BrowserLogin _login = new(options, accessControl, counters);
 
-    /// <summary>Handles requests for the page and the login. Passes on all others, including WebSocket requests on these paths.</summary>
+    /// <summary>Handles requests for the page and the login. Passes on all others.</summary>
     public async Task ServeAsync(HttpContext context, RequestDelegate next)
     {
-        var request = context.Request;
-        var isBelow = request.Path.StartsWithSegments(Path, StringComparison.Ordinal);
-        if (!isBelow || request.Headers.Upgrade.Count > 0) await next(context);
+        if (!context.Request.Path.StartsWithSegments(Path, StringComparison.Ordinal)) await next(context);
         else if (await AdmitAsync(context)) await AnswerAsync(context, next);
     }
 

@@ -23,12 +23,11 @@ sealed class PairingRoutes
 
     public PairingPage Page { get; }
 
-    /// <summary>Handles the requests for pairing. Passes on all others, including WebSocket requests on these paths.</summary>
+    /// <summary>Handles the requests for pairing. Passes on all others.</summary>
     public Task ServeAsync(HttpContext context, RequestDelegate next)
     {
         var request = context.Request;
-        var isBelow = request.Path.StartsWithSegments(PairingLimits.Path, StringComparison.Ordinal);
-        if (!_isOn || !isBelow || request.Headers.Upgrade.Count > 0) return next(context);
+        if (!_isOn || !request.Path.StartsWithSegments(PairingLimits.Path, StringComparison.Ordinal)) return next(context);
         var isPost = HttpMethods.IsPost(request.Method);
         return request.Path.Value switch
         {

@@ -28,15 +28,8 @@ static class SmallJson
         return null;
     }
 
-    public static Task AnswerAsync(HttpContext context, object answer, JsonSerializerOptions options = null)
-    {
-        var bytes = JsonSerializer.SerializeToUtf8Bytes(answer, options);
-        context.Response.ContentType = "application/json";
-        context.Response.ContentLength = bytes.Length;
-        context.Response.Headers.CacheControl = "no-store";
-        context.Response.Headers.Connection = "close";
-        return context.Response.Body.WriteAsync(bytes).AsTask();
-    }
+    public static Task AnswerAsync(HttpContext context, object answer, JsonSerializerOptions options = null) =>
+        AccessControl.SendAsync(context, "application/json", JsonSerializer.SerializeToUtf8Bytes(answer, options));
 
     static async Task<Dictionary<string, string>> BodyAsync(HttpContext context, int length)
     {

@@ -14,10 +14,9 @@ sealed class RecordingRoutes(Recorder recorder, RecordingsFolder folder, AccessC
 {
     const string SwitchPath = "/operations/recording", ListPath = "/operations/recordings", FilePath = ListPath + "/";
 
-    /// <summary>Handles requests about recordings. Passes on all others, including WebSocket requests on these paths.</summary>
+    /// <summary>Handles requests about recordings. Passes on all others.</summary>
     public Task ServeAsync(HttpContext context, RequestDelegate next)
     {
-        if (context.Request.Headers.Upgrade.Count > 0) return next(context);
         var (path, method) = (context.Request.Path.Value ?? "", context.Request.Method);
         if (path == SwitchPath) return HttpMethods.IsPost(method) ? SwitchAsync(context) : AccessControl.RefuseMethodAsync(context, "POST");
         if (path != ListPath && !path.StartsWith(FilePath, StringComparison.Ordinal)) return next(context);

@@ -5,7 +5,7 @@ using Nowpose.Gateway.Operations;
 namespace Nowpose.Gateway.Security;
 
 /// <summary>
-/// Admits or rejects requests according to the protocol, and sends the error responses. All routes of a gateway share one instance.
+/// Admits or rejects requests according to the protocol, and sends the responses. All routes of a gateway share one instance.
 /// </summary>
 /// <param name="log">Receives each line and its kind, which has a rate limit of its own.</param>
 sealed class AccessControl(GatewayOptions options, WrongTokens wrong, ConnectionCounters counters, Action<string, string> log)
@@ -72,6 +72,18 @@ sealed class AccessControl(GatewayOptions options, WrongTokens wrong, Connection
     /// <param name="hash">Hash of the client's token; null if it has none.</param>
     public void Log(HttpContext context, string line, Role? role, byte[] hash, string about = null) =>
         log(AccessMessages.By(line + about, context.Connection.RemoteIpAddress, role, options.LoggedHash(hash)), line);
+
+    /// <summary>Responds with content that browsers must not store, and ends the connection.</summary>
+    public static Task SendAsync(HttpContext context, string type, byte[] content)
+    {
+        var response = context.Response;
+        response.ContentType = type;
+        response.ContentLength = content.Length;
+        response.Headers.CacheControl = "no-store";
+        // Closes the connection, so that it does not reduce the number of connections for other clients.
+        response.Headers.Connection = "close";
+        return HttpMethods.IsHead(context.Request.Method) ? Task.CompletedTask : response.Body.WriteAsync(content).AsTask();
+    }
 
     /// <summary>Responds with one line of text and ends the connection.</summary>
     public static Task AnswerAsync(HttpContext context, int status, string text)

@@ -2,6 +2,7 @@ using System.Text;
 using System.Text.Json;
 using System.Text.Json.Serialization;
 using Nowpose.Gateway.Messages;
+using Nowpose.Gateway.Pairing;
 using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Status.Events;
 using Nowpose.Gateway.Status.Prometheus;
@@ -27,21 +28,17 @@ sealed class StatusRoutes(GatewayStatus status, AccessControl accessControl)
     readonly SharedResult<StatusSnapshot> _state = new(status.Read);
     readonly SharedResult<IReadOnlyList<string>> _notReadyReasons = new(status.NotReadyReasons);
 
-    /// <summary>Handles requests for the status. Passes on all others, including WebSocket requests on these paths.</summary>
-    public Task ServeAsync(HttpContext context, RequestDelegate next)
+    /// <summary>Handles requests for the status. Passes on all others.</summary>
+    public Task ServeAsync(HttpContext context, RequestDelegate next) => context.Request.Path.Value switch
     {
-        if (context.Request.Headers.Upgrade.Count > 0) return next(context);
-        return context.Request.Path.Value switch
-        {
-            StatePath => AnswerAsync(context, AnswerStateAsync),
-            MetricsPath => AnswerAsync(context, AnswerMetricsAsync),
-            EventsPath => AnswerAsync(context, AnswerEventsAsync),
-            // /healthz and /readyz require no token, because their responses contain only reasons with names, for example of joints.
-            LivePath => AnswerAsync(context, _ => SendAsync(context, "text/plain", "live\n"u8.ToArray())),
-            ReadyPath => AnswerAsync(context, AnswerReadyAsync),
-            _ => next(context),
-        };
-    }
+        StatePath => AnswerAsync(context, AnswerStateAsync),
+        MetricsPath => AnswerAsync(context, AnswerMetricsAsync),
+        EventsPath => AnswerAsync(context, AnswerEventsAsync),
+        // /healthz and /readyz require no token, because their responses contain only reasons with names, for example of joints.
+        LivePath => AnswerAsync(context, _ => AccessControl.SendAsync(context, "text/plain", "live\n"u8.ToArray())),
+        ReadyPath => AnswerAsync(context, AnswerReadyAsync),
+        _ => next(context),
+    };
 
     static Task AnswerAsync(HttpContext context, Func<HttpContext, Task> answer) =>
         HttpMethods.IsGet(context.Request.Method) || HttpMethods.IsHead(context.Request.Method) ? answer(context) : AccessControl.RefuseMethodAsync(context, "GET");
@@ -56,13 +53,14 @@ sealed class StatusRoutes(GatewayStatus status, AccessControl accessControl)
             Role = effective.ToString().ToLowerInvariant(),
             IsLoggedIn = accessControl.LoginOf(context) != null,
         };
-        await SendAsync(context, "application/json", JsonSerializer.SerializeToUtf8Bytes(state, Snake));
+        await SmallJson.AnswerAsync(context, state, Snake);
     }
 
     async Task AnswerMetricsAsync(HttpContext context)
     {
         if (await AdmitAsync(context) == null) return;
-        await SendAsync(context, PrometheusText.ContentType, Encoding.UTF8.GetBytes(Metrics.Of(await _state.GetAsync(), status.Forwarding)));
+        var metrics = Metrics.Of(await _state.GetAsync(), status.Forwarding);
+        await AccessControl.SendAsync(context, PrometheusText.ContentType, Encoding.UTF8.GetBytes(metrics));
     }
 
     async Task AnswerEventsAsync(HttpContext context)
@@ -77,8 +75,8 @@ sealed class StatusRoutes(GatewayStatus status, AccessControl accessControl)
         }
 
         context.Response.Headers.ContentDisposition = $"attachment; filename=\"nowpose-events.{(format == "csv" ? "csv" : "json")}\"";
-        if (format == "csv") await SendAsync(context, "text/csv; charset=utf-8", Encoding.UTF8.GetBytes(EventText.Csv(events)));
-        else await SendAsync(context, "application/json", JsonSerializer.SerializeToUtf8Bytes(events, Snake));
+        if (format == "csv") await AccessControl.SendAsync(context, "text/csv; charset=utf-8", Encoding.UTF8.GetBytes(EventText.Csv(events)));
+        else await SmallJson.AnswerAsync(context, events, Snake);
     }
 
     async Task AnswerReadyAsync(HttpContext context)
@@ -87,7 +85,7 @@ sealed class StatusRoutes(GatewayStatus status, AccessControl accessControl)
         context.Response.StatusCode = reasons.Count == 0 ? StatusCodes.Status200OK : StatusCodes.Status503ServiceUnavailable;
         var lines = reasons.Take(MaxReasons).Prepend(reasons.Count == 0 ? "ready" : "waiting").ToList();
         if (reasons.Count > MaxReasons) lines.Add($"and {reasons.Count - MaxReasons} more");
-        await SendAsync(context, "text/plain; charset=utf-8", Encoding.UTF8.GetBytes(string.Join('\n', lines) + "\n"));
+        await AccessControl.SendAsync(context, "text/plain; charset=utf-8", Encoding.UTF8.GetBytes(string.Join('\n', lines) + "\n"));
     }
 
     async Task<Role?> AdmitAsync(HttpContext context)
@@ -96,16 +94,5 @@ sealed class StatusRoutes(GatewayStatus status, AccessControl accessControl)
         if (accessControl.IsNoRebinding(context)) return await accessControl.AdmitAsync(context);
         await AccessControl.AnswerAsync(context, StatusCodes.Status403Forbidden, OperationsMessages.UseOwnAddress);
         return null;
-    }
-
-    static Task SendAsync(HttpContext context, string type, byte[] content)
-    {
-        var response = context.Response;
-        response.ContentType = type;
-        response.ContentLength = content.Length;
-        response.Headers.CacheControl = "no-store";
-        // Closes the connection, so that it does not reduce the number of connections for other clients.
-        response.Headers.Connection = "close";
-        return HttpMethods.IsHead(context.Request.Method) ? Task.CompletedTask : response.Body.WriteAsync(content).AsTask();
     }
 }
