@@ -27,9 +27,7 @@ static class CellMetrics
         PrometheusText text, string metric, string help, string kind, IReadOnlyList<string> states,
         (string Name, string Source, string State, bool IsPublished)[] all)
     {
-        if (all.Length == 0) return;
-        text.Begin(metric, help);
-        foreach (var (name, source, state, _) in all.Where(one => one.IsPublished).Concat(all.Where(one => !one.IsPublished).Take(MaxReported)))
-            foreach (var word in states) text.Add(state == word ? 1 : 0, (kind, name), ("source", source), ("state", word));
+        var listed = all.Where(one => one.IsPublished).Concat(all.Where(one => !one.IsPublished).Take(MaxReported)).ToList();
+        text.States(metric, help, listed, one => [(kind, one.Name), ("source", one.Source)], one => one.State, states);
     }
 }

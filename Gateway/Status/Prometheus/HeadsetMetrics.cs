@@ -19,14 +19,14 @@ static class HeadsetMetrics
     {
         text.One("nowpose_headsets", "Headsets that reported within the last half minute.", headsets.Count);
         text.Each(
-            "nowpose_headset_seen_seconds", "Time since the headset's last report.", headsets, LabelOf,
+            "nowpose_headset_seen_seconds", "Time since the headset's last report.", headsets, LabelsOf,
             headset => StatusObjects.Number(headset, "seen_s_ago"));
         var reporting = headsets.Where(headset => !StatusObjects.IsSilent(headset)).ToList();
         void AddNumber(string name, string help, string key, double unit) =>
-            text.Each(name, help, reporting, LabelOf, headset => StatusObjects.Number(headset, key) * unit);
+            text.Each(name, help, reporting, LabelsOf, headset => StatusObjects.Number(headset, key) * unit);
 
         text.Each(
-            "nowpose_headset_synchronised", "1 while the headset's clock is synchronised, 0 in all other states.", reporting, LabelOf,
+            "nowpose_headset_synchronised", "1 while the headset's clock is synchronised, 0 in all other states.", reporting, LabelsOf,
             headset => StatusObjects.OneIf(headset, HeadsetKeys.State, "synchronised"));
         AddNumber("nowpose_headset_clock_error_bound_seconds", "Error bound of the headset's clock.", HeadsetKeys.ErrorBoundUs, Micro);
         AddNumber("nowpose_headset_round_trip_seconds", "Round-trip time of the headset's clock synchronisation.", HeadsetKeys.RoundTripMs, Milli);
@@ -44,29 +44,21 @@ static class HeadsetMetrics
     static void AddStates(PrometheusText text, string name, string what, IReadOnlyList<JsonObject> headsets, string key, string[] states)
     {
         var known = headsets.Where(headset => StatusObjects.Word(headset, key) != null).ToList();
-        if (known.Count == 0) return;
-        text.Begin(name, $"1 for the present state of {what}, 0 for the other states.");
-        foreach (var headset in known)
-        {
-            var word = StatusObjects.Word(headset, key);
-            var present = states.Contains(word) ? word : Other;
-            foreach (var state in states) text.Add(state == present ? 1 : 0, LabelOf(headset), ("state", state));
-        }
+        text.States(
+            name, $"1 for the present state of {what}, 0 for the other states.", known, LabelsOf,
+            headset => StatusObjects.Word(headset, key) is var word && states.Contains(word) ? word : Other, states);
     }
 
     static void AddPoses(PrometheusText text, IReadOnlyList<JsonObject> headsets)
     {
         var known = headsets.Where(headset => StatusObjects.Word(headset, HeadsetKeys.Pose) != null).ToList();
-        if (known.Count == 0) return;
-        text.Begin("nowpose_headset_current_share_ratio", "Share of frames with a current pose.");
-        foreach (var headset in known) text.Add(StatusObjects.Number(headset, HeadsetKeys.CurrentShare), LabelOf(headset));
-        text.Begin("nowpose_headset_missing_joints", "Joints of the robot without a sample on the headset.");
-        foreach (var headset in known)
-        {
-            var missing = StatusObjects.Word(headset, HeadsetKeys.MissingJoints)?.Split(',', StringSplitOptions.RemoveEmptyEntries);
-            text.Add(missing?.Length ?? 0, LabelOf(headset));
-        }
+        text.Each(
+            "nowpose_headset_current_share_ratio", "Share of frames with a current pose.", known, LabelsOf,
+            headset => StatusObjects.Number(headset, HeadsetKeys.CurrentShare));
+        text.Each(
+            "nowpose_headset_missing_joints", "Joints of the robot without a sample on the headset.", known, LabelsOf,
+            headset => StatusObjects.Word(headset, HeadsetKeys.MissingJoints)?.Split(',', StringSplitOptions.RemoveEmptyEntries).Length ?? 0);
     }
 
-    static (string, string) LabelOf(JsonObject headset) => ("headset", (string)headset["name"]);
+    static (string, string)[] LabelsOf(JsonObject headset) => [("headset", (string)headset["name"])];
 }

@@ -54,15 +54,15 @@ static class Metrics
     static void AddCounts(PrometheusText text, StatusSnapshot state)
     {
         var servers = state.Connections.ToList();
-        text.Each("nowpose_connections", "Open connections.", servers, server => ("server", server.Key), server => server.Value.Open);
+        text.Each("nowpose_connections", "Open connections.", servers, server => [("server", server.Key)], server => server.Value.Open);
         text.Each(
-            "nowpose_connections_accepted_total", "Accepted connections.", servers, server => ("server", server.Key),
+            "nowpose_connections_accepted_total", "Accepted connections.", servers, server => [("server", server.Key)],
             server => server.Value.Accepted);
         text.Begin("nowpose_connections_closed_total", "Refused or ended connections, by reason.");
         foreach (var (server, connections) in servers)
             foreach (var (reason, count) in connections.Closures) text.Add(count, ("server", server), ("reason", reason));
-        text.Each("nowpose_messages_total", "Forwarded messages.", [.. state.Messages], one => ("topic", one.Key), one => one.Value);
-        text.Each("nowpose_drops_total", "Dropped messages.", [.. state.Drops], one => ("reason", one.Key), one => one.Value);
+        text.Each("nowpose_messages_total", "Forwarded messages.", [.. state.Messages], one => [("topic", one.Key)], one => one.Value);
+        text.Each("nowpose_drops_total", "Dropped messages.", [.. state.Drops], one => [("reason", one.Key)], one => one.Value);
     }
 
     static void AddEvents(PrometheusText text, IReadOnlyList<EventView> events)

@@ -35,7 +35,7 @@ static class PlantMetrics
     static void AddPlantClocks(PrometheusText text, IReadOnlyList<PlantClockView> clocks)
     {
         void Add(string name, string help, Func<PlantClockView, double?> value) =>
-            text.Each(name, help, clocks, clock => ("clock", clock.Name), value);
+            text.Each(name, help, clocks, clock => [("clock", clock.Name)], value);
 
         Add("nowpose_plant_clock_connected", "1 while the clock is connected.", clock => clock.Connected ? 1 : 0);
         Add("nowpose_plant_clock_offset_seconds", "This clock minus the control clock.", clock => clock.OffsetToControlMs * Milli);
@@ -51,7 +51,7 @@ static class PlantMetrics
     static void AddAdapters(PrometheusText text, IReadOnlyList<JsonObject> adapters)
     {
         void Add(string name, string help, Func<JsonObject, double?> value) =>
-            text.Each(name, help, adapters, LabelOf, value);
+            text.Each(name, help, adapters, adapter => [LabelOf(adapter)], value);
 
         Add(
             "nowpose_adapter_connected", "1 while the adapter is connected to its plant; 0 also while the adapter does not report.",
@@ -66,7 +66,8 @@ static class PlantMetrics
     static void AddSources(PrometheusText text, IReadOnlyList<SourceStatus> sources)
     {
         text.Each(
-            "nowpose_source_rate_hertz", "Messages per second over the last few seconds.", sources, LabelOf, source => source.RateHz);
+            "nowpose_source_rate_hertz", "Messages per second over the last few seconds.", sources, source => [LabelOf(source)],
+            source => source.RateHz);
         text.Begin("nowpose_source_age_seconds", "Control time at the gateway minus the samples' time stamps, over the last few seconds.", "summary");
         foreach (var source in sources)
         {
@@ -75,7 +76,7 @@ static class PlantMetrics
         }
 
         text.Each(
-            "nowpose_source_beyond_limits", "Number of joints outside the limits of the described robot.", sources, LabelOf,
+            "nowpose_source_beyond_limits", "Number of joints outside the limits of the described robot.", sources, source => [LabelOf(source)],
             source => source.BeyondLimits.Count);
     }
 

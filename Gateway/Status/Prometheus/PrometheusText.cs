@@ -42,11 +42,21 @@ sealed class PrometheusText
     public PrometheusText One(string name, string help, double? value) => value == null ? this : Begin(name, help).Add(value);
 
     /// <summary>Adds a metric that has one sample for each of several things, such as headsets. Skips a metric without things.</summary>
-    public void Each<T>(string name, string help, IReadOnlyList<T> all, Func<T, (string, string)> label, Func<T, double?> value)
+    public void Each<T>(string name, string help, IReadOnlyList<T> all, Func<T, (string, string)[]> labels, Func<T, double?> value)
     {
         if (all.Count == 0) return;
         Begin(name, help);
-        foreach (var one in all) Add(value(one), label(one));
+        foreach (var one in all) Add(value(one), labels(one));
+    }
+
+    /// <summary>Adds a metric with a sample for each state of each thing: 1 for the present state, otherwise 0. Skips it without things.</summary>
+    public void States<T>(
+        string name, string help, IReadOnlyList<T> all, Func<T, (string, string)[]> labels, Func<T, string> present, IReadOnlyList<string> states)
+    {
+        if (all.Count == 0) return;
+        Begin(name, help);
+        foreach (var one in all)
+            foreach (var state in states) Add(state == present(one) ? 1 : 0, [.. labels(one), ("state", state)]);
     }
 
     public override string ToString() => _text.ToString();
