@@ -1,7 +1,8 @@
 import { connect, type Socket } from 'node:net';
-import { connect as connectSecurely } from 'node:tls';
+import { connect as connectSecurely, type TLSSocket } from 'node:tls';
 import type { ClockReading } from '../clock/offeredClock';
 import { pinProblem } from '../gateway/pin';
+import { opened } from '../sockets';
 import { monotonicTime, type Nanoseconds } from '../times';
 import { placeOf, type Upstream } from './kind';
 import { FRAME, isAccepted, parseReply, type Reply, request, tokenRequest } from './syncFrame';
@@ -116,22 +117,16 @@ function faultOf(reply: Reply, sequence: number, t1: Nanoseconds, took: Nanoseco
   return sent - received > took + resolution ? 'sync-too-long' : null;
 }
 
-function connected(upstream: Upstream): Promise<Socket> {
+async function connected(upstream: Upstream): Promise<Socket> {
   const { host, port, isTls, pin } = upstream;
-  return new Promise((resolve, reject) => {
-    const socket = isTls ? connectSecurely({ host, port, minVersion: 'TLSv1.2', rejectUnauthorized: pin === null }) : connect(port, host);
-    const fail = (error: Error): void => {
-      socket.destroy();
-      reject(new Error(syncMessages.notReachable(placeOf(upstream), error.message)));
-    };
-    socket.setTimeout(ANSWER_MS, () => fail(new Error('no response')));
-    socket.once('error', fail);
-    socket.once(isTls ? 'secureConnect' : 'connect', () => {
-      const problem = pin === null ? null : pinProblem(socket as import('node:tls').TLSSocket, pin);
-      if (problem !== null) return fail(new Error(problem));
-      socket.setTimeout(0);
-      socket.removeAllListeners('timeout').off('error', fail);
-      resolve(socket);
-    });
-  });
+  const socket = isTls ? connectSecurely({ host, port, minVersion: 'TLSv1.2', rejectUnauthorized: pin === null }) : connect(port, host);
+  try {
+    await opened(socket, isTls ? 'secureConnect' : 'connect', ANSWER_MS);
+    const problem = pin === null ? null : pinProblem(socket as TLSSocket, pin);
+    if (problem !== null) throw new Error(problem);
+    return socket;
+  } catch (error) {
+    socket.destroy();
+    throw new Error(syncMessages.notReachable(placeOf(upstream), (error as Error).message));
+  }
 }

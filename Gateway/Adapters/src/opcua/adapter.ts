@@ -1,7 +1,7 @@
 import './libraryLog';
 import { type UserIdentityInfo, UserTokenType } from 'node-opcua-client';
 import type { AdapterContext } from '../adapter';
-import { Backoff, pause } from '../backoff';
+import { Backoff, pause, reconnecting } from '../backoff';
 import { delayOf, silentAfterMs, STAMP_LAG_MS, unconfirmedAfterMs } from '../samples/silentValues';
 import { type Nanoseconds, ofMilliseconds } from '../times';
 import { clockOf } from './clockReader';
@@ -35,18 +35,14 @@ export async function run(context: AdapterContext<OpcUaSettings>): Promise<void>
   if (settings.security.mode === 'none') log.line(opcuaMessages.notSecure);
   else log.line(certificateMessages.own(own.file, thumbprints(own.getCertificate()).sha1));
 
-  const backoff = new Backoff();
   const reader = new NotificationReader(context, settings);
-  while (!stopping.aborted) {
-    status.enter('connecting');
-    const wasConnected = await attempt(context, settings, own, trust, reader);
-    context.clock.detach();
-    if (wasConnected) {
-      status.reconnected();
-      backoff.reset();
-    }
-    await pause(backoff.next(), stopping);
-  }
+  await reconnecting(
+    stopping,
+    () => attempt(context, settings, own, trust, reader),
+    wasConnected => {
+      if (wasConnected) status.reconnected();
+    },
+  );
 }
 
 /** Gets the certificate of this application. Waits until its folder is accessible; returns null if the adapter is stopped first. */
@@ -76,6 +72,7 @@ async function attempt(
   const { map } = reader;
   const session = new ReadOnlySession(settings, own, trust);
   trust.refusal = null;
+  status.enter('connecting');
   const stop = (): void => void session.close();
   stopping.addEventListener('abort', stop);
   let isConnected = false;
@@ -136,6 +133,7 @@ async function attempt(
   } finally {
     stopping.removeEventListener('abort', stop);
     await session.close();
+    context.clock.detach();
   }
   return isConnected;
 }

@@ -1,5 +1,6 @@
 import { connect, type Socket } from 'node:net';
 import { isUnknownHost } from '../connectionErrors';
+import { opened } from '../sockets';
 import { monotonicTime, type Nanoseconds } from '../times';
 import { NotRtdeError, PackageReader, type RtdePackage } from './packages';
 import { rtdeMessages } from '../messages/rtde';
@@ -43,30 +44,12 @@ export class RtdeConnection {
    * Opens a connection.
    * @throws Error The controller does not respond. The message contains the remedy.
    */
-  static open(peer: Peer, stop: AbortSignal): Promise<RtdeConnection> {
-    return new Promise((resolve, reject) => {
-      const socket = connect({ host: peer.host, port: peer.port });
-      const late = setTimeout(() => fail(new Error(unreachable(peer, TIMED_OUT))), CONNECT_MS);
-      const stopped = (): void => fail(new Error('stopped'));
-      const leave = (): void => {
-        clearTimeout(late);
-        stop.removeEventListener('abort', stopped);
-        socket.off('error', failed);
-      };
-      const fail = (error: Error): void => {
-        leave();
-        socket.on('error', () => {});
-        socket.destroy();
-        reject(error);
-      };
-      const failed = (error: Error): void => fail(new Error(unreachable(peer, error)));
-      stop.addEventListener('abort', stopped);
-      socket.on('error', failed);
-      socket.on('connect', () => {
-        leave();
-        resolve(new RtdeConnection(peer, socket));
-      });
-    });
+  static async open(peer: Peer, stop: AbortSignal): Promise<RtdeConnection> {
+    try {
+      return new RtdeConnection(peer, await opened(connect({ host: peer.host, port: peer.port }), 'connect', CONNECT_MS, stop));
+    } catch (error) {
+      throw new Error(unreachable(peer, error as Error));
+    }
   }
 
   /** Whether the newest package has been received only in part. */
@@ -96,8 +79,6 @@ export class RtdeConnection {
 export const at = ({ host, port }: Peer): string => (host.includes(':') ? `[${host}]:${port}` : `${host}:${port}`);
 
 const codeOf = (error: Error): string => (error as NodeJS.ErrnoException).code ?? error.message;
-
-const TIMED_OUT = Object.assign(new Error(), { code: 'ETIMEDOUT' });
 
 /** Gets the reason why a connection failed, with the remedy. */
 export function unreachable(peer: Peer, error: Error): string {

@@ -1,4 +1,5 @@
 import { connect } from 'node:net';
+import { addAbortSignal } from 'node:stream';
 import { at, type Peer, unreachable } from '../connection';
 import { calibrationMessages } from '../../messages/rtde';
 
@@ -25,35 +26,29 @@ export interface DhJoint {
 }
 
 /** Reads the kinematics from the controller's primary client interface. Sends nothing. */
-export function readKinematics(peer: Peer, stop: AbortSignal): Promise<DhJoint[]> {
-  return new Promise((resolve, reject) => {
-    const socket = connect({ host: peer.host, port: peer.port });
-    let rest: Buffer = Buffer.alloc(0);
-    const end = (error: Error): void => {
-      clearTimeout(late);
-      stop.removeEventListener('abort', stopped);
-      socket.destroy();
-      reject(error);
-    };
-    const late = setTimeout(() => end(new Error(calibrationMessages.late(at(peer), TIMEOUT_MS / 1000))), TIMEOUT_MS);
-    const stopped = (): void => end(new Error('stopped'));
-    stop.addEventListener('abort', stopped);
-    socket.on('error', error => end(new Error(unreachable(peer, error))));
-    socket.on('close', () => end(new Error(calibrationMessages.ended(at(peer)))));
-    socket.on('data', bytes => {
+export async function readKinematics(peer: Peer, stop: AbortSignal): Promise<DhJoint[]> {
+  const socket = addAbortSignal(stop, connect({ host: peer.host, port: peer.port }));
+  let isLate = false;
+  const late = setTimeout(() => {
+    isLate = true;
+    socket.destroy();
+  }, TIMEOUT_MS);
+  let rest: Buffer | null = Buffer.alloc(0);
+  try {
+    for await (const bytes of socket as AsyncIterable<Buffer>) {
       const { parts, rest: incomplete } = partsOf(Buffer.concat([rest, bytes]));
       const packages = parts.filter(({ type }) => type === ROBOT_STATE).flatMap(({ payload }) => partsOf(payload).parts);
       const found = packages.find(({ type, payload }) => type === KINEMATICS_INFO && payload.length >= CHECKSUMS + 4 * 8 * JOINTS);
-      if (found !== undefined) {
-        resolve(dhOf(found.payload));
-        end(new Error('done'));
-      } else if (incomplete === null) {
-        end(new Error(calibrationMessages.notPrimary(at(peer))));
-      } else {
-        rest = incomplete;
-      }
-    });
-  });
+      if (found !== undefined) return dhOf(found.payload);
+      rest = incomplete;
+      if (rest === null) break;
+    }
+  } catch (error) {
+    throw new Error(isLate ? calibrationMessages.late(at(peer), TIMEOUT_MS / 1000) : unreachable(peer, error as Error));
+  } finally {
+    clearTimeout(late);
+  }
+  throw new Error(rest === null ? calibrationMessages.notPrimary(at(peer)) : calibrationMessages.ended(at(peer)));
 }
 
 interface Part {
