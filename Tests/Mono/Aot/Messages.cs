@@ -50,7 +50,7 @@ namespace Nowpose.Mono.Aot
             var bytes = new byte[SyncFrame.Size];
             var request = SyncFrame.Request(7, 123_456_789);
             request.Write(bytes);
-            Program.Require(SyncFrame.TryRead(bytes, out var frame, out _) && frame == request, "clock sync request");
+            Program.Require(SyncFrame.TryRead(bytes, out var frame, out _) && frame.Equals(request), "clock sync request");
         }
 
         static RosbridgeMessage Read(string text)

@@ -18,7 +18,7 @@ namespace Nowpose.Editor.Inspectors
         {
             _urdf = asset.Urdf ?? "";
             Length = _urdf.Length.ToString(CultureInfo.InvariantCulture);
-            Hash = _urdf.Length == 0 ? LiveText.Unknown : UrdfHash.Of(_urdf).ToString();
+            Hash = _urdf.Length == 0 ? LiveText.Unknown : UrdfHash.Of(_urdf);
             Beginning = BeginningOf(_urdf);
             try
             {

@@ -12,7 +12,7 @@ namespace Nowpose.Kinematics
         readonly Dictionary<string, int> _movingIndices = new Dictionary<string, int>(StringComparer.Ordinal);
 
         internal RobotModel(
-            string name, UrdfHash sourceHash, RobotLink[] links, RobotJoint[] joints, MimicStep[] mimics, RobotLink toolLink)
+            string name, string sourceHash, RobotLink[] links, RobotJoint[] joints, MimicStep[] mimics, RobotLink toolLink)
         {
             Name = name;
             SourceHash = sourceHash;
@@ -31,7 +31,7 @@ namespace Nowpose.Kinematics
         public string Name { get; }
 
         /// <summary>Hash of the URDF, to check whether another URDF describes the same robot.</summary>
-        internal UrdfHash SourceHash { get; }
+        internal string SourceHash { get; }
 
         /// <summary>The links, with the root first and parents before their children.</summary>
         public IReadOnlyList<RobotLink> Links { get; }

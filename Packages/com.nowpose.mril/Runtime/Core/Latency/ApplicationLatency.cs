@@ -11,9 +11,6 @@ namespace Nowpose.Latency
 
         readonly RollingPercentiles _recent = new RollingPercentiles(Window);
 
-        /// <summary>Number of samples measured since the start.</summary>
-        public long Count { get; private set; }
-
         /// <summary>
         /// Number of samples whose time stamp is later than their arrival. The error of the clock estimate causes a few such samples at the start. A
         /// larger number means that a source does not use the control clock for its time stamps.
@@ -34,7 +31,6 @@ namespace Nowpose.Latency
         public void Add(ControlTime arrival, ControlTime taken)
         {
             Newest = arrival - taken;
-            Count++;
             if (Newest < TimeSpan.Zero) NegativeCount++;
             _recent.Add(Newest);
         }

@@ -1,3 +1,4 @@
+using System;
 using System.Globalization;
 using System.Net;
 using System.Text;
@@ -112,7 +113,7 @@ namespace Nowpose.Pairing
 
         string Write()
         {
-            var text = new StringBuilder(PairingCode.Scheme).Append(Kind).Append('/').Append(Version).Append("?n=").Append(CellName.Encode(Cell));
+            var text = new StringBuilder(PairingCode.Scheme).Append(Kind).Append('/').Append(Version).Append("?n=").Append(Uri.EscapeDataString(Cell));
             text.Append("&h=").Append(Host);
             if (SyncPort != ProtocolLimits.SyncPort) text.Append("&s=").Append(SyncPort.ToString(CultureInfo.InvariantCulture));
             if (WebSocketPort != ProtocolLimits.WebSocketPort) text.Append("&w=").Append(WebSocketPort.ToString(CultureInfo.InvariantCulture));

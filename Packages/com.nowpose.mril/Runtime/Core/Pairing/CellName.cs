@@ -28,17 +28,8 @@ namespace Nowpose.Pairing
             return name;
         }
 
-        /// <summary>Encodes a name for a code: percent-encoded UTF-8 except ASCII letters, digits, -, _ and full stops.</summary>
-        public static string Encode(string name)
-        {
-            var text = new StringBuilder();
-            foreach (var b in Utf8.GetBytes(name))
-                if (b < 0x80 && IsUnreserved((char)b)) text.Append((char)b);
-                else text.Append('%').Append(b.ToString("X2", CultureInfo.InvariantCulture));
-            return text.ToString();
-        }
-
-        /// <exception cref="InputException">The text is not a result of <see cref="Encode"/> (hexadecimal digits may have either case).</exception>
+        /// <summary>Decodes a name from a code: percent-encoded UTF-8 except ASCII letters, digits, -, _ and full stops.</summary>
+        /// <exception cref="InputException">The text is not encoded like this (hexadecimal digits may have either case), or the name is not allowed.</exception>
         public static string Decode(string text, string what)
         {
             var bytes = new byte[text.Length];

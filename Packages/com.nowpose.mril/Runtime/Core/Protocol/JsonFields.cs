@@ -36,17 +36,12 @@ namespace Nowpose.Protocol
             return json.TakeNull() || json.Text(out text);
         }
 
+        /// <summary>Reads an optional string. Creates no string object if the cache contains the string.</summary>
         /// <inheritdoc cref="OptionalText(ref JsonUtf8Reader, out string)"/>
-        /// <param name="known">Known strings, for which no string object is created.</param>
-        /// <param name="cache">Cache for other strings.</param>
-        public static bool OptionalText(ref this JsonUtf8Reader json, JsonNames known, JsonNameCache cache, out string text)
+        public static bool OptionalText(ref this JsonUtf8Reader json, JsonNameCache cache, out string text)
         {
             text = null;
-            if (json.TakeNull()) return true;
-            if (!json.ReadText(out var read)) return false;
-            var index = known.IndexOf(read.Raw);
-            text = index < 0 ? cache[read] : known[index];
-            return true;
+            return json.TakeNull() || json.Text(cache, out text);
         }
 
         public static bool OptionalCount(ref this JsonUtf8Reader json, out int count)

@@ -21,10 +21,6 @@ namespace Nowpose.Protocol
             "subscribe", "unsubscribe", "advertise", "unadvertise", "publish", "call_service", "service_response", "advertise_service",
             "unadvertise_service", "status", "set_level");
 
-        static readonly JsonNames Topics = new JsonNames(
-            RosTopics.JointStates, RosTopics.Displayed, RosTopics.JointTrajectory, RosTopics.JointStatus, RosTopics.Diagnostics,
-            RosTopics.RobotDescription, RosTopics.Tf, RosTopics.TfStatic, RosTopics.Signals, RosTopics.SignalStatus, RosTopics.Version);
-
         static readonly JsonNames Fields = new JsonNames(
             "op", "topic", "msg", "id", "type", "service", "throttle_rate", "queue_length", "level", "result");
 
@@ -88,7 +84,7 @@ namespace Nowpose.Protocol
             {
                 case "op": isRead = json.Text(Ops, out var op, out text); _message.Op = (RosbridgeOp)(op + 1); _message.OpName = text; return isRead;
                 case "id": isRead = json.OptionalText(out text); _message.Id = text; return isRead;
-                case "topic": isRead = json.OptionalText(Topics, _topicNames, out text); SetTopic(text); return isRead;
+                case "topic": isRead = json.OptionalText(_topicNames, out text); SetTopic(text); return isRead;
                 case "type": isRead = json.OptionalText(out text); _message.Type = text; return isRead;
                 case "service": isRead = json.OptionalText(out text); _message.Service = text; return isRead;
                 case "level": isRead = json.OptionalText(out text); _message.Level = text; return isRead;

@@ -24,7 +24,7 @@ namespace Nowpose.Protocol
     /// Times are raw nanoseconds: t1 on the headset clock C2, t2 and t3 on the control clock C1. They come from the wire, so any
     /// value is possible; the code that creates an exchange from them checks their order.
     /// </remarks>
-    readonly struct SyncFrame : IEquatable<SyncFrame>
+    readonly struct SyncFrame
     {
         /// <summary>Size of a frame in bytes.</summary>
         public const int Size = 48;
@@ -119,15 +119,6 @@ namespace Nowpose.Protocol
             BinaryPrimitives.WriteUInt32LittleEndian(bytes.Slice(40), ResolutionNs);
             BinaryPrimitives.WriteUInt32LittleEndian(bytes.Slice(44), 0);
         }
-
-        public bool Equals(SyncFrame other) =>
-            Kind == other.Kind && Flags == other.Flags && Sequence == other.Sequence && ErrorBoundUs == other.ErrorBoundUs &&
-            T1Ns == other.T1Ns && T2Ns == other.T2Ns && T3Ns == other.T3Ns && ResolutionNs == other.ResolutionNs;
-
-        public override bool Equals(object obj) => obj is SyncFrame other && Equals(other);
-        public override int GetHashCode() => HashCode.Combine(Kind, Flags, Sequence, ErrorBoundUs, T1Ns, T2Ns, T3Ns, ResolutionNs);
-        public static bool operator ==(SyncFrame a, SyncFrame b) => a.Equals(b);
-        public static bool operator !=(SyncFrame a, SyncFrame b) => !a.Equals(b);
 
         static SyncFrameFault FaultOf(ReadOnlySpan<byte> bytes)
         {

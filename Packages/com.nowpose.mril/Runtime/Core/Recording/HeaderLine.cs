@@ -57,7 +57,7 @@ namespace Nowpose.Recording
         /// <summary>Writes the fields of a robot: its name, the hash of its description, and its joints with their limits.</summary>
         public static void WriteFields(JsonLine line, RobotModel robot)
         {
-            line.Add("name", robot.Name).Add("description_sha256", robot.SourceHash.ToString());
+            line.Add("name", robot.Name).Add("description_sha256", robot.SourceHash);
             line.Open("joints", '[');
             foreach (var joint in robot.MovingJoints)
             {

@@ -17,7 +17,7 @@ namespace Nowpose.Unity.Session
 
         (Uri Gateway, CertificatePin Pin, string Namespace) _source;
         RobotModel _newest;
-        UrdfHash _reported;
+        string _reported;
         string _fault;
 
         /// <summary>The robot as described by the gateway; null before the first description, and if an asset describes the robot.</summary>

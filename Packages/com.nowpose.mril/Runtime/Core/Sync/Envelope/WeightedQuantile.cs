@@ -27,30 +27,19 @@ namespace Nowpose.Sync.Envelope
 
         /// <summary>Returns the smallest value that, together with all smaller values, has at least the given share of the total weight.</summary>
         /// <param name="share">0 to 1.</param>
-        public double FromBelow(double share)
-        {
-            double wanted = 0, sum = 0;
-            for (var i = 0; i < _count; i++) wanted += share * _weights[i];
-            for (var i = 0; i < _count; i++)
-            {
-                sum += _weights[i];
-                if (sum >= wanted) return _values[i];
-            }
-            return _values[_count - 1];
-        }
+        public double FromBelow(double share) => From(0, 1, share);
 
         /// <summary>Returns the largest value that, together with all larger values, has at least the given share of the total weight.</summary>
         /// <param name="share">0 to 1.</param>
-        public double FromAbove(double share)
+        public double FromAbove(double share) => From(_count - 1, -1, share);
+
+        double From(int first, int step, double share)
         {
             double wanted = 0, sum = 0;
-            for (var i = _count - 1; i >= 0; i--) wanted += share * _weights[i];
-            for (var i = _count - 1; i >= 0; i--)
-            {
-                sum += _weights[i];
-                if (sum >= wanted) return _values[i];
-            }
-            return _values[0];
+            for (var i = 0; i < _count; i++) wanted += share * _weights[first + i * step];
+            var at = first;
+            for (var i = 1; i < _count && (sum += _weights[at]) < wanted; i++) at += step;
+            return _values[at];
         }
     }
 }

@@ -64,7 +64,7 @@ namespace Nowpose.Tests.Core.Protocol
                     Long(random), Long(random), Long(random), (uint)random.Next());
 
                 Assert.That(SyncFrame.TryRead(BytesOf(frame), out var read, out _), Is.True);
-                Assert.That(read == frame, Is.True, "frame " + i + ", seed " + Seed);
+                Assert.That(read, Is.EqualTo(frame), "frame " + i + ", seed " + Seed);
             }
         }
 

@@ -33,7 +33,7 @@ namespace Nowpose.Tests.Core.Recording
             Assert.That((int)header["version"], Is.EqualTo(1));
             Assert.That((string)header["headset"], Is.EqualTo("test \"one\"\n"));
             Assert.That((string)header["started_utc"], Is.EqualTo("2026-01-02T03:04:05Z"));
-            Assert.That((string)header["robot"]["description_sha256"], Is.EqualTo(TestRobot.Model.SourceHash.ToString()).And.Length.EqualTo(64));
+            Assert.That((string)header["robot"]["description_sha256"], Is.EqualTo(TestRobot.Model.SourceHash).And.Length.EqualTo(64));
             Assert.That(header["robot"]["joints"].Select(j => (string)j["name"]), Is.EqualTo(TestRobot.Model.MovingJoints.Select(j => j.Name)));
             Assert.That(header["robot"]["joints"].Select(j => (string)j["unit"]), Is.EqualTo(new[] { "rad", "rad", "m", "m" }));
             Assert.That((double)header["robot"]["joints"][0]["upper"], Is.EqualTo(3));
