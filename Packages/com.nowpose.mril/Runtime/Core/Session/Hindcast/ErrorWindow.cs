@@ -17,14 +17,17 @@ namespace Nowpose.Session.Hindcast
             for (var i = 0; i < Seconds; i++) _slots[i] = new ErrorTotals();
         }
 
-        public void Add(ControlTime at, in ErrorSums frame)
+        /// <returns>Whether the errors are plausible. If not, they are ignored.</returns>
+        public bool Add(ControlTime at, in ErrorSums frame)
         {
+            if (!frame.IsPlausible) return false;
             var second = SecondOf(at);
             var index = (int)(((second % Seconds) + Seconds) % Seconds);
-            if (_slots[index].Sums.Count > 0 && _secondOfSlot[index] > second) return;
+            if (_slots[index].Sums.Count > 0 && _secondOfSlot[index] > second) return true;
             if (_secondOfSlot[index] != second) _slots[index].Clear();
             _secondOfSlot[index] = second;
             _slots[index].Add(frame);
+            return true;
         }
 
         /// <returns>Null without a frame in the ten seconds before <paramref name="now"/>.</returns>

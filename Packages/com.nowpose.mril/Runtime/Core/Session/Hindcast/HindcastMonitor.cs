@@ -29,8 +29,9 @@ namespace Nowpose.Session.Hindcast
         readonly bool[] _isEndless;
         readonly TruthTrack[] _tracks;
         readonly ShownFrames _frames;
-        readonly ErrorRecord _tool = new ErrorRecord();
-        readonly ErrorRecord[] _ofJoint;
+        readonly ErrorWindow _tool = new ErrorWindow();
+        readonly ErrorRun _toolOfRun = new ErrorRun();
+        readonly ErrorWindow[] _ofJoint;
         readonly ShownFrames.JointValues[] _values;
         readonly TrueSpeeds _speeds;
         ControlTime? _now;
@@ -55,8 +56,8 @@ namespace Nowpose.Session.Hindcast
             _frames = new ShownFrames(_joints.Length);
             _values = new ShownFrames.JointValues[_joints.Length];
             _speeds = new TrueSpeeds(_joints.Length);
-            _ofJoint = new ErrorRecord[_joints.Length];
-            for (var i = 0; i < _ofJoint.Length; i++) _ofJoint[i] = new ErrorRecord();
+            _ofJoint = new ErrorWindow[_joints.Length];
+            for (var i = 0; i < _ofJoint.Length; i++) _ofJoint[i] = new ErrorWindow();
             _isEndless = new bool[_joints.Length];
             for (var i = 0; i < _isEndless.Length; i++)
                 _isEndless[i] = JointTracks.BoundsOf(robot.MovingJoints[_joints[i]], settings).IsEndless;
@@ -69,12 +70,12 @@ namespace Nowpose.Session.Hindcast
         public int JointCount { get; }
 
         /// <summary>Errors of the tool over the last ten seconds, m; null while unknown, and while <see cref="Withheld"/> has a reason.</summary>
-        public DisplayedError? Tool => IsKnown && IsToolKnown ? _tool.Now(_now.Value) : null;
+        public DisplayedError? Tool => IsKnown && IsToolKnown ? _tool.Read(_now.Value) : null;
 
         /// <summary>
         /// Errors of the tool since <see cref="RestartRun"/>, m; null while unknown, and if <see cref="WithheldOfRun"/> has a reason.
         /// </summary>
-        public DisplayedError? ToolOfRun => WithheldOfRun == ErrorWithheldReason.None ? _tool.OfRun : null;
+        public DisplayedError? ToolOfRun => WithheldOfRun == ErrorWithheldReason.None ? _toolOfRun.Read() : null;
 
         /// <summary>Reason why the current errors are withheld.</summary>
         public ErrorWithheldReason Withheld { get; private set; }
@@ -82,7 +83,7 @@ namespace Nowpose.Session.Hindcast
         /// <summary>Reason why the errors of the run are withheld, which is the reason for the first frame that cannot be scored.</summary>
         public ErrorWithheldReason WithheldOfRun => IsRunKnown ? _withheldOfRun : Withheld;
 
-        bool IsRunKnown => _hasRunBegun && (_withheldOfRun != ErrorWithheldReason.None || _tool.OfRun.HasValue);
+        bool IsRunKnown => _hasRunBegun && (_withheldOfRun != ErrorWithheldReason.None || _toolOfRun.Read().HasValue);
 
         bool IsKnown => _now.HasValue && (IsToolKnown || Withheld == ErrorWithheldReason.MovingBase);
 
@@ -90,7 +91,7 @@ namespace Nowpose.Session.Hindcast
 
         /// <summary>Returns the errors of one joint over the last ten seconds, rad or m; joints are in the order from the base.</summary>
         public JointError JointAt(int index) => new JointError(
-            _robot.MovingJoints[_joints[index]].Name, IsKnown ? _ofJoint[index].Now(_now.Value) : null);
+            _robot.MovingJoints[_joints[index]].Name, IsKnown ? _ofJoint[index].Read(_now.Value) : null);
 
         /// <summary>Adds a displayed frame. A frame without a trusted display time cannot be scored and makes the current errors unknown.</summary>
         /// <param name="given">For each moving joint of the robot that is a mimic joint: whether it has the position of its own samples.</param>
@@ -169,7 +170,7 @@ namespace Nowpose.Session.Hindcast
             _runSince = _now;
             _hasRunBegun = false;
             _withheldOfRun = ErrorWithheldReason.None;
-            _tool.RestartRun();
+            _toolOfRun.Reset();
         }
 
         /// <summary>Resets everything except the errors over the whole run, because earlier times can no longer be compared with new times.</summary>
@@ -177,15 +178,14 @@ namespace Nowpose.Session.Hindcast
         {
             Array.Clear(_tracks, 0, _tracks.Length);
             _frames.Clear();
-            _tool.ResetWindow();
-            foreach (var joint in _ofJoint) joint.ResetWindow();
+            _tool.Reset();
+            foreach (var joint in _ofJoint) joint.Reset();
             _speeds.Reset();
             _now = _runSince = null;
         }
 
         void Judge(in ShownFrames.Frame frame)
         {
-            var isOfRun = !(frame.At <= _runSince);
             _speeds.Next(frame.At);
             for (var i = 0; i < _joints.Length; i++)
             {
@@ -196,7 +196,7 @@ namespace Nowpose.Session.Hindcast
                 if (_isEndless[i]) joint.Truth -= JointPredictor.WholeTurns(joint.Truth - joint.Displayed);
                 _ofJoint[i].Add(frame.At, new ErrorSums(
                     Square(joint.Displayed - joint.Truth), Square(joint.Held - joint.Truth), Square(joint.Uncertainty),
-                    Square(frame.ClockError * speed)), isOfRun);
+                    Square(frame.ClockError * speed)));
             }
             var truth = _kinematics.ToolOf(_values, false);
             var toolSpeed = _speeds.OfTool(truth);
@@ -207,7 +207,10 @@ namespace Nowpose.Session.Hindcast
                 Square(frame.HeldX - truth.X) + Square(frame.HeldY - truth.Y) + Square(frame.HeldZ - truth.Z),
                 Square(uncertain.X - truth.X) + Square(uncertain.Y - truth.Y) + Square(uncertain.Z - truth.Z),
                 Square(frame.ClockError * toolSpeed));
-            if (_tool.Add(frame.At, error, isOfRun)) ToolJudged?.Invoke(frame.At, frame.State, error);
+            if (!_tool.Add(frame.At, error)) return;
+            // Otherwise, the frame was shown before the run started.
+            if (!(frame.At <= _runSince)) _toolOfRun.Add(error);
+            ToolJudged?.Invoke(frame.At, frame.State, error);
         }
 
         static double Square(double x) => x * x;
