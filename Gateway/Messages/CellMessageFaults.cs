@@ -13,21 +13,13 @@ static class CellMessageFaults
     /// <param name="what">The frame or signal.</param>
     public static string Of(string what, DropReason reason) => $"{what} {DropMessages.Of(reason)}";
 
-    public const string OwnParent = "is its own parent";
     public const string StampZero = "has a zero stamp";
 
     public const string NoName = "without a valid name";
-    public const string ChildTwice = "occurs twice as child_frame_id";
     public const string Twice = "occurs twice";
 
     public static string Has(string field, string value) => $"has the {field} {value}";
 
     /// <param name="value">Value of a signal.</param>
     public static string NotANumber(string value) => $"has the value {value}; it must be a number, and 0 or 1 for a Boolean";
-
-    public static string TooFar(string field, string value, double limit) =>
-        FormattableString.Invariant($"has the {field} {value} m; allowed: {-limit:0} to {limit:0} m");
-
-    public static string Norm(double norm, double tolerance) =>
-        FormattableString.Invariant($"has a rotation with the norm {norm:0.#######}; it must be 1 within {tolerance}");
 }

@@ -61,7 +61,7 @@ public sealed partial class MessageCatalogueTests
         [
             "BeingPlacedLabel", "FollowsMarker", "Lost", "LostLabel", "MovedLabel", "NotConfirmedLabel", "NotLocated", "NotLockedLabel",
         ],
-        ["CellMessageFaults"] = ["ChildTwice", "Frame", "Has", "Named", "NoName", "Of", "OwnParent", "StampZero", "Twice"],
+        ["CellMessageFaults"] = ["Frame", "Has", "Named", "NoName", "Of", "StampZero", "Twice"],
         ["ComponentMessages"] = ["GripperWithoutJoint", "Of"],
         ["ConditionMessages"] = ["PlaceOfOpenXr", "PlaceOfQuality", "PlaceOfReprojection"],
         ["ConnectionMessages"] = ["Reported"],

@@ -2,6 +2,7 @@ using System.Text.Json;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Plants;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using NUnit.Framework;
 using static Nowpose.Headless.Tests.Gateway.Cell.CellTexts;
@@ -120,7 +121,7 @@ public class CellStatusTests
         Assert.That(new[] { box, grip }.Select(one => one.GetProperty("state").GetString()), Is.All.EqualTo("refused"));
         Assert.That(box.GetProperty("reason").GetString(), Is.EqualTo(
             RequestMessages.Dropped(
-                "rosbridge 127.0.0.1", "frame box " + CellMessageFaults.Norm(2, 0.001), DropReason.NotUnitQuaternion)));
+                "rosbridge 127.0.0.1", "frame box " + FrameMessages.Norm(2, "0.001"), DropReason.NotUnitQuaternion)));
         Assert.That(grip.TryGetProperty("value", out _), Is.False, "no valid value is known");
         Assert.That(state.GetProperty("status").GetProperty("text").GetString(), Does.Contain("box (rosbridge 127.0.0.1) " + EventTexts.IsRefused));
     }

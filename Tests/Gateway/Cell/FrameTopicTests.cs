@@ -1,5 +1,6 @@
 using Nowpose.Gateway;
 using Nowpose.Gateway.Messages;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using NUnit.Framework;
 using static Nowpose.Headless.Tests.Gateway.Cell.CellTexts;
@@ -74,14 +75,13 @@ public class FrameTopicTests
     public async Task Publish_InvalidFrames_AreDroppedAndNamedInTheReason()
     {
         await _source.SendAsync(Tf(Frame("box", "box")));
-        await _source.ExpectErrorAsync($"frame box {CellMessageFaults.OwnParent} (OwnParent)");
+        await _source.ExpectErrorAsync($"frame box {FrameMessages.IsOwnParent} (OwnParent)");
         await _source.SendAsync(Tf(Frame("box"), Frame("box")));
-        await _source.ExpectErrorAsync($"frame box {CellMessageFaults.ChildTwice} (DuplicateName)");
+        await _source.ExpectErrorAsync($"frame box {FrameMessages.OccursTwice} (DuplicateName)");
         await _source.SendAsync(Tf(Frame("box", stamp: default(ControlTime))));
         await _source.ExpectErrorAsync($"frame box {CellMessageFaults.StampZero} (StampZero)");
         await _source.SendAsync(Tf(Frame("belt"), Frame("box", stamp: ControlTime.FromSeconds(5100))));
-        await _source.ExpectErrorAsync(
-            $"frame box: {DropMessages.Of(DropReason.StampInFuture)} (StampInFuture)");
+        await _source.ExpectErrorAsync($"frame box: {DropMessages.Of(DropReason.StampInFuture)} (StampInFuture)");
         await _source.SendAsync(TfStatic(Frame("box", stamp: ControlTime.FromSeconds(5100))));
         await _source.ExpectErrorAsync("(StampInFuture)");
         await _source.SendAsync(Tf(Frame("world", "map")));
@@ -96,11 +96,11 @@ public class FrameTopicTests
 
     static readonly string[][] InvalidFrames =
     [
-        ["\"x\":2.0", "\"x\":NaN", $"frame b {CellMessageFaults.Has("translation.x", "NaN")} (NotFinite)"],
-        ["\"x\":2.0", "\"x\":2e6", $"frame b {CellMessageFaults.TooFar("translation.x", "2000000", 1e6)} (OutOfRange)"],
+        ["\"x\":2.0", "\"x\":NaN", $"frame b {FrameMessages.WrongField("transform.translation.x", "NaN", FrameMessages.FiniteNumber)} (NotFinite)"],
+        ["\"x\":2.0", "\"x\":2e6", "(OutOfRange)"],
         [
             "\"child_frame_id\":\"b\"", "\"child_frame_id\":\"\"",
-            $"frame {CellMessageFaults.NoName}: {DropMessages.Of(DropReason.MissingField)} (MissingField)",
+            $"frame {CellMessageFaults.NoName} {FrameMessages.NoField("child_frame_id")} (MissingField)",
         ],
         [
             "\"child_frame_id\":\"b\"", "\"child_frame_id\":\"b\",\"child_frame_id\":\"b\"",
@@ -132,7 +132,7 @@ public class FrameTopicTests
 
         await _source.SendAsync(Tf(Frame("b", x: 1), Frame("a", x: 2), Frame("b", x: 3)));
 
-        await _source.ExpectErrorAsync($"frame b {CellMessageFaults.ChildTwice} ({DropReason.DuplicateName})");
+        await _source.ExpectErrorAsync($"frame b {FrameMessages.OccursTwice} ({DropReason.DuplicateName})");
         Assert.That(await NextFramesAsync(), Is.EqualTo("a=2"), "neither of the poses of b is known to be right");
     }
 

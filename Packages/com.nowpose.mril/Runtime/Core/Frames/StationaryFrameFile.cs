@@ -23,7 +23,7 @@ namespace Nowpose.Frames
             var message = new TransformsReader().Read(ref json, isStatic: true);
             if (message != null && json.End()) return message;
             var fault = string.IsNullOrWhiteSpace(text) ? FrameMessages.FileEmpty
-                : InvalidStationaryFrame.Describe(text, json.Fault) ?? WordsOf(json.Fault);
+                : InvalidTransform.Describe(text, json.Fault) ?? WordsOf(json.Fault);
             throw new InputException(FrameMessages.FileLine(path, LineAt(utf8, json.Position), fault));
         }
 

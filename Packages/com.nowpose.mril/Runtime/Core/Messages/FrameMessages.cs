@@ -92,7 +92,7 @@ namespace Nowpose.Messages
         public static string FileLine(string path, int line, string fault) => $"{path}, line {line}: {fault}";
 
         public static string LongName(string field, int length, int max) =>
-            FormattableString.Invariant($"has {field} with {length} characters; allowed: {max}");
+            FormattableString.Invariant($"has {field} with {length} characters; allowed: {max}; an emoji counts as two characters");
 
         public static string NotTransforms(DropReason fault) => $"the file is not a tf2_msgs/TFMessage in JSON ({fault}); correct the file";
     }
