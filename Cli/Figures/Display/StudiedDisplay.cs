@@ -1,5 +1,6 @@
 using Nowpose.Cli.Calibrate.Simulate;
 using Nowpose.Cli.Messages;
+using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Figures.Display;
 
@@ -10,7 +11,7 @@ static class StudiedDisplay
     public const double RefreshMs = SimulatedSweep.RefreshMs;
 
     /// <summary>Render time limit of the simulated display, ms: one refresh interval minus the latch time.</summary>
-    public const double TrueLimitMs = RefreshMs - 1.5;
+    public const double TrueLimitMs = RefreshMs - DisplayPipelineSettings.LatchMs;
 
     public const string Words = Figure10Texts.Display;
 }

@@ -20,11 +20,5 @@ namespace Nowpose.Messages
         public const string CodeMarkerOffset = "cell code: marker offset";
         public const string MaxRecordingSize = "maximum size of the recording";
         public const string UrdfVelocityShare = "times the URDF's velocity limit";
-        public const string Latch = "time from a frame's deadline to its refresh";
-        public const string EmptySceneRenderTime = "render time of an empty scene";
-        public const string RenderTimePerVertices = "render time per million vertices";
-        public const string RenderTimeScatter = "scatter of the render time";
-        public const string SlowFrameChance = "probability of a slow frame";
-        public const string VisualisationInTime = "visualisation latency while frames are ready in time";
     }
 }

@@ -29,9 +29,6 @@ namespace Nowpose.Simulation
             _random = new Random(seed);
         }
 
-        /// <summary>Maximum constant render time at which each frame is displayed at the next refresh, so that L_visu is constant.</summary>
-        public TimeSpan TrueLimit => Span(_settings.RefreshMs - _settings.LatchMs);
-
         /// <summary>Time from the pipeline's start to the start of the next frame.</summary>
         public TimeSpan NextStart => Span(_nextStartMs);
 
@@ -41,11 +38,11 @@ namespace Nowpose.Simulation
         {
             if (!(vertices >= 0 && vertices < 1e9))
                 throw new ArgumentOutOfRangeException(nameof(vertices), vertices, SettingMessages.Vertices);
-            var renderMs = (_settings.BaseMs + _settings.MsPerMillion * vertices / 1e6) * Slowness();
+            var renderMs = (DisplayPipelineSettings.BaseMs + _settings.MsPerMillion * vertices / 1e6) * Slowness();
             var (startMs, olderDoneMs) = (_nextStartMs, _gpuFreeMs);
             _gpuFreeMs = Math.Max(olderDoneMs, startMs) + renderMs;
             WaitForRoom(olderDoneMs);
-            var shown = (long)Math.Ceiling((_gpuFreeMs + _settings.LatchMs) / _settings.RefreshMs);
+            var shown = (long)Math.Ceiling((_gpuFreeMs + DisplayPipelineSettings.LatchMs) / _settings.RefreshMs);
             var visualisationMs = (shown - 1) * _settings.RefreshMs - startMs + _settings.PlateauMs;
             return new PipelineFrame(Span(startMs), Span(renderMs), Span(_gpuFreeMs), Span(visualisationMs), shown);
         }

@@ -9,9 +9,9 @@ namespace Nowpose.Tests.Core.Latency
     /// <summary>A monitor of the render time and the display that it is compared with.</summary>
     static class MonitoredDisplay
     {
-        public static readonly double Limit = new DisplayPipeline(1).TrueLimit.TotalMilliseconds;
         public const RenderTimeSourceKind Source = RenderTimeSourceKind.DisplayGpuTime;
         public static readonly DisplayPipelineSettings Display = new DisplayPipelineSettings();
+        public static readonly double Limit = Display.RefreshMs - DisplayPipelineSettings.LatchMs;
         public static readonly int[] Seeds = Enumerable.Range(1, 20).ToArray();
 
         public static ConstantLatencyMonitor Monitor() => Monitor(Limit);
