@@ -1,4 +1,4 @@
-using System;
+using System.Collections.Generic;
 
 namespace Nowpose.Protocol
 {
@@ -27,19 +27,16 @@ namespace Nowpose.Protocol
     /// <summary>Names of joint states on the wire, in lower case, and the check whether a state is good.</summary>
     static class JointDataStates
     {
-        /// <summary>Names, indexed by the numeric value of the state.</summary>
-        public static readonly string[] Names = Array.ConvertAll(Enum.GetNames(typeof(JointDataState)), name => name.ToLowerInvariant());
+        static readonly EnumNames<JointDataState> Table = new EnumNames<JointDataState>(state => (int)state);
 
-        public static string Of(JointDataState state) => Names[(int)state];
+        /// <summary>Names in the order of the states.</summary>
+        public static IReadOnlyList<string> Names => Table.Names;
+
+        public static string Of(JointDataState state) => Table.NameOf(state);
 
         /// <summary>Returns whether the position of a joint in this state is known.</summary>
         public static bool IsGood(this JointDataState state) => state == JointDataState.Live || state == JointDataState.Rest;
 
-        public static bool TryRead(string name, out JointDataState state)
-        {
-            var index = Array.IndexOf(Names, name);
-            state = (JointDataState)index;
-            return index >= 0;
-        }
+        public static bool TryRead(string name, out JointDataState state) => Table.TryParse(name, out state);
     }
 }

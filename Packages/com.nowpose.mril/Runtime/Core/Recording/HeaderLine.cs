@@ -12,9 +12,8 @@ namespace Nowpose.Recording
     /// <summary>The first line of a session file: the format, and the settings in use. Contains no token and no address.</summary>
     static class HeaderLine
     {
-        static readonly LineNames Responses = new LineNames(typeof(OutsideRangeResponse));
-        static readonly LineNames Sources = new LineNames(typeof(RenderTimeSourceKind));
-        static readonly LineNames Securities = new LineNames(typeof(TransportSecurity));
+        static readonly EnumNames<OutsideRangeResponse> Responses = new EnumNames<OutsideRangeResponse>(response => (int)response);
+        static readonly EnumNames<TransportSecurity> Securities = new EnumNames<TransportSecurity>(security => (int)security);
 
         /// <param name="startedUtc">Start of the recording; null if it is unknown.</param>
         public static void Write(JsonLine line, SessionSettings settings, RobotModel robot, DisplayConditions conditions, DateTime? startedUtc)
@@ -108,13 +107,13 @@ namespace Nowpose.Recording
             AddLimit(line, "acceleration_limit", prediction.AccelerationLimit);
             AddLimit(line, "jerk_limit", prediction.JerkLimit);
             line.Add("visualisation_ms", settings.Visualisation.Length.TotalMilliseconds);
-            line.Add("outside_range_response", Responses[(int)settings.OutsideRange]).Add("rewrite_before_render", settings.RewriteBeforeRender);
+            line.Add("outside_range_response", Responses.NameOf(settings.OutsideRange)).Add("rewrite_before_render", settings.RewriteBeforeRender);
             if (settings.Range != null && settings.Range.IsLimitReached)
                 line.Add("render_time_limit_ms", settings.Range.Limit.TotalMilliseconds)
-                    .Add("render_time_source", Sources[(int)settings.Range.Source]);
+                    .Add("render_time_source", LatencyNames.RenderTimeSource.NameOf(settings.Range.Source));
             line.Add("clock_estimator", settings.ClockEstimator).Add("sync_interval_ms", settings.SyncInterval.TotalMilliseconds);
             line.Add("greatest_holdover_error_ms", settings.Clock.MaxHoldoverError.TotalMilliseconds);
-            line.Add("security", Securities[(int)settings.Connection.Security]).Close('}');
+            line.Add("security", Securities.NameOf(settings.Connection.Security)).Close('}');
         }
     }
 }

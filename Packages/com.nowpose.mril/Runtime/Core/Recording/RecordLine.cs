@@ -10,12 +10,10 @@ namespace Nowpose.Recording
     /// <summary>Writes records as lines of a session file. Times are whole nanoseconds; session-file.md states the clock of each field.</summary>
     sealed class RecordLine
     {
-        static readonly LineNames Verdicts = new LineNames(typeof(SyncVerdict));
-        static readonly LineNames Faults = new LineNames(typeof(SyncExchangeFault));
-        static readonly LineNames Reasons = new LineNames(typeof(DropReason));
-        static readonly LineNames Poses = new LineNames(typeof(PoseState));
-        static readonly LineNames Ranges = new LineNames(typeof(RangeState));
-        static readonly LineNames ClockStates = new LineNames(typeof(ClockState));
+        static readonly EnumNames<SyncVerdict> Verdicts = new EnumNames<SyncVerdict>(verdict => (int)verdict);
+        static readonly EnumNames<PoseState> Poses = new EnumNames<PoseState>(pose => (int)pose);
+        static readonly EnumNames<RangeState> Ranges = new EnumNames<RangeState>(range => (int)range);
+        static readonly EnumNames<ClockState> ClockStates = new EnumNames<ClockState>(state => (int)state);
 
         /// <summary>Number of coordinates in a position.</summary>
         const int PositionNumbers = 3;
@@ -58,8 +56,8 @@ namespace Nowpose.Recording
                 .Add("t3_ns", (exchange.T3 - half).Nanoseconds).Add("t4_ns", exchange.T4.Nanoseconds)
                 .Add("resolution_ns", Nanoseconds(exchange.Resolution)).Add("server_bound_ns", Nanoseconds(exchange.ServerErrorBound));
             if (!exchange.ServerSynchronised) _line.Add("server_synchronised", false);
-            _line.Add("verdict", Verdicts[(int)record.Verdict]);
-            if (record.Fault != SyncExchangeFault.None) _line.Add("fault", Faults[(int)record.Fault]);
+            _line.Add("verdict", Verdicts.NameOf(record.Verdict));
+            if (record.Fault != SyncExchangeFault.None) _line.Add("fault", DropsLine.Faults.NameOf(record.Fault));
         }
 
         void WriteSample(SessionRecord record)
@@ -111,7 +109,7 @@ namespace Nowpose.Recording
 
         void WriteFrame(SessionRecord record)
         {
-            BeginDisplayed("frame", record).Add("state", Poses[(int)record.Pose]).Add("joints", record.Numbers.AsSpan(0, _joints))
+            BeginDisplayed("frame", record).Add("state", Poses.NameOf(record.Pose)).Add("joints", record.Numbers.AsSpan(0, _joints))
                 .Add("held", record.Numbers.AsSpan(_joints, _joints));
             if (record.Length.HasValue) _line.Add("render_ns", Nanoseconds(record.Length.Value));
             if (record.EstimatedError.HasValue) _line.Add("estimated_error_ns", Nanoseconds(record.EstimatedError.Value));
@@ -119,7 +117,7 @@ namespace Nowpose.Recording
 
         void WriteObject(SessionRecord record)
         {
-            BeginDisplayed("object", record).Add("frame", record.Transform.Child).Add("state", Poses[(int)record.Pose]);
+            BeginDisplayed("object", record).Add("frame", record.Transform.Child).Add("state", Poses.NameOf(record.Pose));
             AddPlace(record.Transform);
         }
 
@@ -133,7 +131,7 @@ namespace Nowpose.Recording
         void WriteDisplay(SessionRecord record)
         {
             _line.Begin("display").Add("at_ns", record.At.Nanoseconds)
-                .Add("l_visu_ns", Nanoseconds(record.Length.GetValueOrDefault())).Add("range", Ranges[(int)record.Range]);
+                .Add("l_visu_ns", Nanoseconds(record.Length.GetValueOrDefault())).Add("range", Ranges.NameOf(record.Range));
             if (record.Reprojection != ReprojectionMode.Unknown) _line.Add("reprojection", LatencyNames.Reprojection.NameOf(record.Reprojection));
         }
 
@@ -177,13 +175,13 @@ namespace Nowpose.Recording
 
         void AddReason(SessionRecord record)
         {
-            if (record.Reason != DropReason.None) _line.Add("dropped", Reasons[(int)record.Reason]);
+            if (record.Reason != DropReason.None) _line.Add("dropped", DropsLine.Reasons.NameOf(record.Reason));
         }
 
         void AddClock(SessionRecord record)
         {
             var clock = record.Clock;
-            _line.Add("state", ClockStates[(int)clock.State]).Add("steps", clock.Steps);
+            _line.Add("state", ClockStates.NameOf(clock.State)).Add("steps", clock.Steps);
             if (!clock.IsKnown) return;
             _line.Add("offset_ns", Nanoseconds(clock.OffsetAt(record.At).HeadsetMinusControl)).Add("skew_ppm", clock.Skew * 1e6)
                 .Add("error_bound_ns", Nanoseconds(clock.ErrorBound)).Add("estimated_error_ns", Nanoseconds(clock.EstimatedError));
