@@ -1,5 +1,4 @@
 using System;
-using Nowpose.Messages;
 
 namespace Nowpose.Latency
 {
@@ -14,7 +13,6 @@ namespace Nowpose.Latency
         /// <param name="window">Maximum number of stored values, 1 or more.</param>
         public RollingPercentiles(int window)
         {
-            if (window < 1) throw new ArgumentOutOfRangeException(nameof(window), window, StatisticsMessages.WindowSize);
             _byAge = new long[window];
             _sorted = new long[window];
         }
@@ -30,13 +28,10 @@ namespace Nowpose.Latency
             _next = (_next + 1) % _byAge.Length;
         }
 
-        /// <summary>Returns the quantile of the stored values, interpolated linearly between adjacent values.</summary>
+        /// <summary>Returns the quantile of the stored values, interpolated linearly between adjacent values. Requires at least one value.</summary>
         /// <param name="fraction">0 (minimum) to 1 (maximum).</param>
-        /// <exception cref="InvalidOperationException">No value is stored yet.</exception>
         public TimeSpan At(double fraction)
         {
-            if (_count == 0) throw new InvalidOperationException(StatisticsMessages.Empty);
-            if (!(fraction >= 0 && fraction <= 1)) throw new ArgumentOutOfRangeException(nameof(fraction), fraction, StatisticsMessages.Fraction);
             var position = fraction * (_count - 1);
             var below = (int)position;
             var above = Math.Min(below + 1, _count - 1);

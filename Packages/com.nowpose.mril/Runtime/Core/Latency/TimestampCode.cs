@@ -1,5 +1,4 @@
 using System;
-using Nowpose.Messages;
 
 namespace Nowpose.Latency
 {
@@ -57,7 +56,6 @@ namespace Nowpose.Latency
         /// <param name="value">0 to <see cref="PeriodMs"/> − 1.</param>
         public static int WordOf(int value)
         {
-            if (value < 0 || value >= PeriodMs) throw new ArgumentOutOfRangeException(nameof(value), value, TimestampCodeMessages.TimeOutOfRange);
             var gray = value ^ (value >> 1);
             return gray << 2 | Parity(gray & EvenBits) << 1 | Parity(gray & OddBits);
         }
@@ -89,7 +87,6 @@ namespace Nowpose.Latency
         /// <param name="cells">Receives <see cref="CellCount"/> cells in row-major order; all are written.</param>
         public static void Draw(int value, CodeKind kind, Span<bool> cells)
         {
-            if (cells.Length != CellCount) throw new ArgumentException(TimestampCodeMessages.CellCount(cells.Length), nameof(cells));
             var word = WordOf(value);
             for (var cell = 0; cell < CellCount; cell++) cells[cell] = IsRing(cell) && IsLitRing(cell, kind);
             for (var pair = 0; pair < PairCount; pair++)

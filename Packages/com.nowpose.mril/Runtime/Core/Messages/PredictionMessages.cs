@@ -5,10 +5,6 @@ namespace Nowpose.Messages
     /// <summary>Error messages about samples, plans and predictors.</summary>
     static class PredictionMessages
     {
-        public static string Degree(int max) => $"must be from 0 to {max}";
-        public static string History(int max) => $"must be at least the degree and at most {max}";
-
-        public const string UnknownDerivatives = "velocity, acceleration and jerk must be known";
         public const string NegativeSeconds = "must be 0 s or more";
 
         public static string NotFinite(double time, double position, double order) =>

@@ -1,5 +1,4 @@
 using System;
-using Nowpose.Messages;
 using Nowpose.Motion;
 using Nowpose.Prediction.Forecasting;
 using Nowpose.Prediction.State;
@@ -48,12 +47,10 @@ namespace Nowpose.Prediction.Candidates
         bool _isKnown;
         bool _hasBraked;
 
-        /// <param name="limits">Velocity, acceleration and jerk must be finite.</param>
-        /// <exception cref="ArgumentException">A limit of the drive is unknown.</exception>
+        /// <param name="limits">Limits that are sufficient, see <see cref="HasLimits"/>.</param>
         public ProfileForecaster(PredictionLimits limits)
         {
             _limits = limits;
-            if (!HasLimits(limits)) throw new ArgumentException(PredictionMessages.UnknownDerivatives, nameof(limits));
             _maxStroke = limits.Velocity * MaxDuration;
             _unbraked = Profile(_maxStroke);
             Reset();

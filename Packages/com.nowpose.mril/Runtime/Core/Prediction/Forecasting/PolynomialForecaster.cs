@@ -1,5 +1,4 @@
 using System;
-using Nowpose.Messages;
 
 namespace Nowpose.Prediction.Forecasting
 {
@@ -44,8 +43,7 @@ namespace Nowpose.Prediction.Forecasting
         /// <param name="degree">n, 0 to 3.</param>
         /// <param name="history">h, the number of samples used in addition to the newest one; n to 100.</param>
         /// <param name="stopsAtReversal">See <see cref="LinearSmoother"/>.</param>
-        /// <exception cref="ArgumentOutOfRangeException">Degree or history is outside its range.</exception>
-        public PolynomialForecaster(int degree, int history, bool stopsAtReversal = false) : base(Checked(degree, history) + 1, stopsAtReversal)
+        public PolynomialForecaster(int degree, int history, bool stopsAtReversal = false) : base(history + 1, stopsAtReversal)
         {
             _maxDegree = degree;
             (_values, _coefficients) = (new double[degree + 1][], new double[degree + 1][]);
@@ -106,15 +104,6 @@ namespace Nowpose.Prediction.Forecasting
                 valuesAtTime[k] = value;
                 for (var j = 0; j < Count; j++) weights[j] += value * values[j];
             }
-        }
-
-        static int Checked(int degree, int history)
-        {
-            if (degree < 0 || degree > MaxDegree)
-                throw new ArgumentOutOfRangeException(nameof(degree), degree, PredictionMessages.Degree(MaxDegree));
-            if (history < degree || history > MaxHistory)
-                throw new ArgumentOutOfRangeException(nameof(history), history, PredictionMessages.History(MaxHistory));
-            return history;
         }
     }
 }

@@ -29,22 +29,5 @@ namespace Nowpose.Tests.Core.Latency
                         Is.EqualTo(recent.QuantileCustom(fraction, QuantileDefinition.R7)).Within(1e-3), "seed 1, length " + i);
             }
         }
-
-        [Test]
-        public void At_Empty_Throws()
-        {
-            Assert.Throws<InvalidOperationException>(() => new RollingPercentiles(3).At(0.5));
-        }
-
-        [TestCase(-0.01)]
-        [TestCase(1.01)]
-        [TestCase(double.NaN)]
-        public void At_FractionOutOfRange_Throws(double fraction)
-        {
-            var rolling = new RollingPercentiles(3);
-            rolling.Add(TimeSpan.Zero);
-
-            Assert.Throws<ArgumentOutOfRangeException>(() => rolling.At(fraction));
-        }
     }
 }

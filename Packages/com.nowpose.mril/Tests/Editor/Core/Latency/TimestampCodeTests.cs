@@ -86,11 +86,6 @@ namespace Nowpose.Tests.Core.Latency
                     Assert.That(seen.Add(Picture(turned)), Is.True, kind + " " + Picture(turned));
         }
 
-        [TestCase(-1)]
-        [TestCase(65_536)]
-        public void WordOf_OutsideThePeriod_Throws(int value) =>
-            Assert.That(() => TimestampCode.WordOf(value), Throws.TypeOf<ArgumentOutOfRangeException>());
-
         static IEnumerable<bool[]> TurnsAndMirrors(CodeKind kind)
         {
             var ring = Enumerable.Range(0, TimestampCode.CellCount)

@@ -67,9 +67,9 @@ namespace Nowpose.Tests.Core.Prediction.Candidates
         }
 
         [Test]
-        public void Constructor_LimitMissing_Throws()
+        public void HasLimits_LimitMissing_ReturnsFalse()
         {
-            Assert.Throws<ArgumentException>(() => new ProfileForecaster(new PredictionLimits(velocity: 1, acceleration: 1)).ToString());
+            Assert.That(ProfileForecaster.HasLimits(new PredictionLimits(velocity: 1, acceleration: 1)), Is.False);
             Assert.That(ProfileForecaster.HasLimits(Limits));
         }
     }

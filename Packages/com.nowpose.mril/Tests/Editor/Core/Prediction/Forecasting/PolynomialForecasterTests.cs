@@ -135,15 +135,6 @@ namespace Nowpose.Tests.Core.Prediction.Forecasting
             Assert.That(predictor.At(0.3).Kind, Is.EqualTo(PredictionKind.Held));
         }
 
-        [TestCase(-1, 1)]
-        [TestCase(4, 4)]
-        [TestCase(2, 1)]
-        [TestCase(2, 101)]
-        public void Constructor_DegreeOrHistoryOutOfRange_IsRefused(int degree, int history)
-        {
-            Assert.Throws<ArgumentOutOfRangeException>(() => new PolynomialForecaster(degree, history).ToString());
-        }
-
         static double[] Times(Random random, int count, double shortest, double longest)
         {
             var times = new double[count];
