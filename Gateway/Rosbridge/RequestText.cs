@@ -19,6 +19,9 @@ static class RequestText
     public static string TypeRule(RosbridgeMessage message) =>
         RequestMessages.OtherType(message.Topic, Publications.TypeOf(message.RobotTopic), Short(message.Type));
 
+    /// <summary>Shortens an id from a client, for replies.</summary>
+    public static RequestId Short(RequestId id) => id.Text == null ? id : Short(id.Text);
+
     /// <summary>Shortens a string from a client to the maximum length of a name, for replies.</summary>
     public static string Short(string text) =>
         text?.Length > ProtocolLimits.NameLength ? string.Concat(text.AsSpan(0, ProtocolLimits.NameLength - 1), "…") : text;

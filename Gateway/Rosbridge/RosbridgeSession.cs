@@ -150,7 +150,7 @@ sealed class RosbridgeSession : IDisposable
     void Unsubscribe(RosbridgeMessage message)
     {
         if (!_subscriptions.Remove(message.Topic, message.Id))
-            _replies.Warn(message, RequestMessages.NotSubscribed(_subscriptions.Topics.Contains(message.Topic) ? Short(message.Id) : null));
+            _replies.Warn(message, RequestMessages.NotSubscribed(_subscriptions.Topics.Contains(message.Topic) ? $"{Short(message.Id)}" : null));
     }
 
     void Advertise(RosbridgeMessage message)
@@ -273,7 +273,7 @@ sealed class RosbridgeSession : IDisposable
 
     bool HasRoomForId(RosbridgeMessage message)
     {
-        var isIdGood = !(message.Id?.Length > ProtocolLimits.KeyLength);
+        var isIdGood = !(message.Id.Text?.Length > ProtocolLimits.KeyLength);
         if (isIdGood && _subscriptions.HasRoomFor(message.Topic, message.Id)) return true;
         if (isIdGood) _replies.Drop(message, DropReason.TooManyTopics, rule: DropMessages.TooManySubscriptions);
         else _replies.Drop(message, DropReason.NameTooLong, rule: DropMessages.IdTooLong);

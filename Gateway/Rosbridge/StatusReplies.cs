@@ -76,7 +76,7 @@ sealed class StatusReplies(HubSource source, DropCounters drops, PublishRights r
 
         // Replies last, so that a client that has received the reply finds the drop in the gateway's status.
         if (Level != "none")
-            reply(RosbridgeWriter.Status("error", text, Short(message?.Id)));
+            reply(RosbridgeWriter.Status("error", text, message == null ? default : Short(message.Id)));
     }
 
     static string Others(int count) => count > 1 ? $" ({count - 1} more)" : "";

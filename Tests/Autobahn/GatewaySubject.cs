@@ -28,7 +28,7 @@ sealed class GatewaySubject : IAutobahnSubject
     {
         if (!RosbridgeReader.TryRead(text, out var message, out var reason)) return "garbled: " + reason;
         if (message.Op == RosbridgeOp.Status) return "refused";
-        return script.Inner.Contains(message.Id ?? "") ? "accepted" : "garbled: " + message.Id;
+        return script.Inner.Contains(message.Id.ToString()) ? "accepted" : "garbled: " + message.Id;
     }
 
     public ValueTask DisposeAsync()

@@ -64,7 +64,7 @@ sealed class RawRosbridgeClient : IDisposable
     {
         await SendAsync(RosbridgeWriter.CallService(RosTopics.GetTime, "round trip"));
         var message = await ReceiveAsync();
-        Assert.That(message.Id, Is.EqualTo("round trip"), message.Text);
+        Assert.That(message.Id.Text, Is.EqualTo("round trip"), message.Text);
         return message;
     }
 

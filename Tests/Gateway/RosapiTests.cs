@@ -89,7 +89,7 @@ public class RosapiTests
         await client.SendAsync(request.Insert(1, "\"id\":\"7\","));
 
         var status = await client.ReceiveAsync();
-        Assert.That((status.Op, status.Level, status.Id), Is.EqualTo((RosbridgeOp.Status, level, "7")));
+        Assert.That((status.Op, status.Level, status.Id), Is.EqualTo((RosbridgeOp.Status, level, (RequestId)"7")));
         Assert.That(status.Text, Does.Contain(part));
         await client.RoundTripAsync();
     }

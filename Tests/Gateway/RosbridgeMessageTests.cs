@@ -48,8 +48,42 @@ public class RosbridgeMessageTests
         await client.SendAsync(RosbridgeWriter.CallService("/rosapi/action_servers", "9"));
 
         var response = await client.ReceiveAsync();
-        Assert.That((response.Op, response.Result, response.Id), Is.EqualTo((RosbridgeOp.ServiceResponse, false, "9")));
+        Assert.That((response.Op, response.Result, response.Id), Is.EqualTo((RosbridgeOp.ServiceResponse, false, (RequestId)"9")));
         Assert.That(gateway.Drops[DropReason.UnknownService], Is.EqualTo(1));
+    }
+
+    [TestCase("""{"op":"call_service","id":9,"service":"/rosapi/get_time"}""")]
+    [TestCase("""{"op":"call_service","id":9,"service":"/rosapi/topics"}""")]
+    [TestCase("""{"op":"call_service","id":9,"service":"/rosapi/nodes"}""")]
+    [TestCase("""{"op":"call_service","id":9,"service":"/rosapi/action_servers"}""")]
+    [TestCase("""{"op":"subscribe","id":9,"topic":"/joint_states","compression":"png"}""")]
+    [TestCase("""{"op":"publish","id":9,"topic":"/joint_states","msg":{}}""")]
+    [TestCase("""{"op":"dance","id":9}""")]
+    public async Task Id_Integer_IsRepeatedAsANumber(string request)
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        await client.SendAsync(request);
+
+        Assert.That(await client.ReceiveTextAsync(), Does.Contain("\"id\":9,"));
+    }
+
+    [Test]
+    public async Task Id_Integer_SelectsItsSubscription()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+        await client.SendAsync("""{"op":"subscribe","id":9,"topic":"/joint_states"}""");
+
+        await client.SendAsync("""{"op":"unsubscribe","id":"9","topic":"/joint_states"}""");
+        Assert.That(await client.ReceiveTextAsync(), Does.Contain("warning"), "a string is another id than a number");
+        await client.SendAsync("""{"op":"unsubscribe","id":9,"topic":"/joint_states"}""");
+
+        await client.SendAsync(Gateways.StateText(1));
+        await client.RoundTripAsync();
+    }
+
     }
 
     [TestCase("""{"op":"dance","id":"1"}""", DropReason.UnknownOp, "Unknown operation: dance")]

@@ -206,7 +206,7 @@ public class RosbridgeTopicTests
         if (format != null)
         {
             var warning = await client.ReceiveAsync();
-            Assert.That((warning.Op, warning.Level, warning.Id), Is.EqualTo((RosbridgeOp.Status, "warning", "b")));
+            Assert.That((warning.Op, warning.Level, warning.Id), Is.EqualTo((RosbridgeOp.Status, "warning", (RequestId)"b")));
             Assert.That(warning.Text, Does.Contain(RequestMessages.OtherTimeForm((RosTimeForm)format)));
         }
 

@@ -23,7 +23,7 @@ public class CellReaderAllocationTests
         RosTopics.Signals, new SignalsMessage(Stamp, [.. Enumerable.Range(first, 20).Select(i => new SignalValue("signal" + i, i))]), RosTimeForm.Secs);
 
     static string State(int robot) => RosbridgeWriter.Publish(
-        $"/arm{robot}/joint_states", new JointStateMessage(Stamp, ["a", "arm" + robot], [0.5, 1]), RosTimeForm.Sec);
+        $"/arm{robot}/joint_states", new JointStateMessage(Stamp, ["a", "arm" + robot], [0.5, 1]), RosTimeForm.Sec).Insert(1, $"\"id\":{robot},");
 
     [Test]
     public void TryRead_RepeatedNames_AllocatesNothing()

@@ -59,7 +59,7 @@ sealed class PlantAdapterDouble : IDisposable
                 var text = await Client.ReceiveTextAsync();
                 if (!RosbridgeReader.TryRead(text, out var question, out _) || question.Op != RosbridgeOp.CallService) continue;
                 Interlocked.Increment(ref _requests);
-                if (_answer(question.Id, question.Service) is { } answer) await Client.SendAsync(answer);
+                if (_answer(question.Id.Text, question.Service) is { } answer) await Client.SendAsync(answer);
             }
         }
         catch (Exception)

@@ -74,7 +74,7 @@ namespace Nowpose.Network
         /// <param name="fault">Reason why the response could not be read.</param>
         public void Answered(RosbridgeMessage response, DropReason fault, HeadsetTime arrival)
         {
-            if (response.Id == null || !response.Id.StartsWith(IdPrefix, StringComparison.Ordinal)) return;
+            if (response.Id.Text?.StartsWith(IdPrefix, StringComparison.Ordinal) != true) return;
             lock (_gate)
             {
                 if (response.Id == _id && _awaited.TrySetResult(new RosTimeAnswer(response, fault, arrival))) return;

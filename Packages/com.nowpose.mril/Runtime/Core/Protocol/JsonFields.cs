@@ -53,6 +53,17 @@ namespace Nowpose.Protocol
             return value == count || json.Fail(DropReason.OutOfRange);
         }
 
+        /// <summary>Reads an id: a string, an integer, or null for none.</summary>
+        public static bool OptionalId(ref this JsonUtf8Reader json, out RequestId id)
+        {
+            var isNumber = json.IsNumber;
+            var number = 0L;
+            var text = default(string);
+            var isRead = isNumber ? json.Integer(out number) : json.OptionalText(out text);
+            id = !isRead ? default : isNumber ? (RequestId)number : text;
+            return isRead;
+        }
+
         /// <summary>Reads a number; rejects null, NaN and infinity.</summary>
         public static bool FiniteNumber(ref this JsonUtf8Reader json, out double value) =>
             json.Number(out value) && (!double.IsNaN(value) && !double.IsInfinity(value) || json.Fail(DropReason.NotFinite));

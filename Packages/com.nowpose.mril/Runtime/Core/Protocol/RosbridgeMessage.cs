@@ -13,7 +13,7 @@ namespace Nowpose.Protocol
         /// <summary>The operation as written, even if it is <see cref="RosbridgeOp.Unknown"/>.</summary>
         public string OpName { get; internal set; }
 
-        public string Id { get; internal set; }
+        public RequestId Id { get; internal set; }
         public string Topic { get; internal set; }
 
         /// <summary><see cref="Topic"/>, split into a robot's namespace and the robot's topic.</summary>
@@ -81,7 +81,8 @@ namespace Nowpose.Protocol
         internal void Clear()
         {
             Op = RosbridgeOp.Unknown;
-            OpName = Id = Topic = Type = Service = Level = Text = Data = null;
+            Id = default;
+            OpName = Topic = Type = Service = Level = Text = Data = null;
             ThrottleRateMs = QueueLength = 0;
             JointState = Displayed = null;
             JointTrajectory = null;

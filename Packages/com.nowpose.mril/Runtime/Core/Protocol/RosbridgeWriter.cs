@@ -15,19 +15,20 @@ namespace Nowpose.Protocol
         /// A type name; it also determines the notation of times (<see cref="RosTopics.TimeFormOf"/>). Null to omit the type.
         /// </param>
         public static string Subscribe(string topic, string type = null) =>
-            Write("subscribe", null, topic, json => Optional(json, "type", type));
+            Write("subscribe", default, topic, json => Optional(json, "type", type));
 
-        public static string Advertise(string topic, string type, string id = null) =>
+        public static string Advertise(string topic, string type, RequestId id = default) =>
             Write("advertise", id, topic, json => Optional(json, "type", type));
 
         /// <exception cref="ArgumentException">A number that must be finite is not.</exception>
-        public static string Publish(string topic, IRosMessage message, RosTimeForm form = RosTimeForm.Sec) => Write("publish", null, topic, json =>
-        {
-            json.WritePropertyName("msg");
-            message.Write(json, form);
-        });
+        public static string Publish(string topic, IRosMessage message, RosTimeForm form = RosTimeForm.Sec) =>
+            Write("publish", default, topic, json =>
+            {
+                json.WritePropertyName("msg");
+                message.Write(json, form);
+            });
 
-        public static string CallService(string service, string id = null) => Write("call_service", id, null, json =>
+        public static string CallService(string service, RequestId id = default) => Write("call_service", id, null, json =>
         {
             Optional(json, "service", service);
             json.StartObject("args");
@@ -35,7 +36,7 @@ namespace Nowpose.Protocol
         });
 
         /// <summary>Writes the response of /rosapi/get_time.</summary>
-        public static string TimeResponse(string service, string id, ControlTime time, RosTimeForm form) =>
+        public static string TimeResponse(string service, RequestId id, ControlTime time, RosTimeForm form) =>
             Response(service, id, true, json =>
             {
                 json.WriteStartObject();
@@ -45,7 +46,7 @@ namespace Nowpose.Protocol
 
         /// <summary>Writes the response of /rosapi/topics.</summary>
         /// <param name="types">Type of each topic.</param>
-        public static string TopicsResponse(string service, string id, IReadOnlyCollection<KeyValuePair<string, string>> types) =>
+        public static string TopicsResponse(string service, RequestId id, IReadOnlyCollection<KeyValuePair<string, string>> types) =>
             Response(service, id, true, json =>
             {
                 json.WriteStartObject();
@@ -55,21 +56,21 @@ namespace Nowpose.Protocol
             });
 
         /// <summary>Writes a service response whose values are already JSON text.</summary>
-        internal static string ServiceResponse(string service, string id, string values) =>
+        internal static string ServiceResponse(string service, RequestId id, string values) =>
             Response(service, id, true, json => json.WriteRawValue(values));
 
         /// <summary>Writes the response to a failed call.</summary>
-        public static string FailedResponse(string service, string id, string why) =>
+        public static string FailedResponse(string service, RequestId id, string why) =>
             Response(service, id, false, json => json.WriteValue(why));
 
         /// <param name="level">error, warning, info or none.</param>
-        public static string Status(string level, string message, string id = null) => Write("status", id, null, json =>
+        public static string Status(string level, string message, RequestId id = default) => Write("status", id, null, json =>
         {
             Optional(json, "level", level);
             Optional(json, "msg", message);
         });
 
-        static string Response(string service, string id, bool result, Action<JsonWriter> values) =>
+        static string Response(string service, RequestId id, bool result, Action<JsonWriter> values) =>
             Write("service_response", id, null, json =>
             {
                 Optional(json, "service", service);
@@ -79,14 +80,14 @@ namespace Nowpose.Protocol
                 json.WriteValue(result);
             });
 
-        static string Write(string op, string id, string topic, Action<JsonWriter> rest)
+        static string Write(string op, RequestId id, string topic, Action<JsonWriter> rest)
         {
             var text = new StringWriter(new StringBuilder(256), CultureInfo.InvariantCulture);
             using (var json = new JsonTextWriter(text))
             {
                 json.WriteStartObject();
                 Optional(json, "op", op);
-                Optional(json, "id", id);
+                id.Write(json);
                 Optional(json, "topic", topic);
                 rest(json);
                 json.WriteEndObject();

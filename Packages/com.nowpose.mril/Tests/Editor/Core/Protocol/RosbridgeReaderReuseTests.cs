@@ -186,7 +186,7 @@ namespace Nowpose.Tests.Core.Protocol
 
             Assert.That(isRead, Is.False);
             Assert.That(reason, Is.EqualTo(DropReason.NotFinite));
-            Assert.That(message.Id, Is.EqualTo("7"));
+            Assert.That(message.Id.Text, Is.EqualTo("7"));
         }
     }
 }

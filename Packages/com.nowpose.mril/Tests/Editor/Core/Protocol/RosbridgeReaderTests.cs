@@ -92,6 +92,23 @@ namespace Nowpose.Tests.Core.Protocol
         [TestCase("{\"op\":\"publish\",\"topic\":\"/joint_states\",\"msg\":{},\"msg\":{}}")]
         public void TryRead_DuplicateKnownField_IsRefused(string text) => Refuse(text, DropReason.DuplicateField);
 
+        [TestCase("7")]
+        [TestCase("-9223372036854775808")]
+        public void TryRead_IntegerId_IsWrittenAsANumberAgain(string id)
+        {
+            var message = Read("{\"op\":\"call_service\",\"service\":\"/a\",\"id\":" + id + "}");
+
+            Assert.That(RosbridgeWriter.CallService("/a", message.Id), Does.Contain("\"id\":" + id + ","));
+            Assert.That(message.Id == (RequestId)id, Is.False, "a string is another id");
+        }
+
+        [TestCase("1.5", DropReason.WrongType)]
+        [TestCase("true", DropReason.WrongType)]
+        [TestCase("NaN", DropReason.WrongType)]
+        [TestCase("9223372036854775808", DropReason.OutOfRange)]
+        public void TryRead_IdNeitherAStringNorAnInteger_IsRefused(string id, object reason) =>
+            Refuse("{\"op\":\"call_service\",\"service\":\"/a\",\"id\":" + id + "}", (DropReason)reason);
+
         [Test]
         public void TryRead_UnknownOp_ReturnsItsNameAndId()
         {
@@ -100,7 +117,7 @@ namespace Nowpose.Tests.Core.Protocol
             Assert.That(isRead, Is.False);
             Assert.That(reason, Is.EqualTo(DropReason.UnknownOp));
             Assert.That(message.OpName, Is.EqualTo("dance"));
-            Assert.That(message.Id, Is.EqualTo("7"));
+            Assert.That(message.Id.Text, Is.EqualTo("7"));
         }
 
         [Test]

@@ -166,7 +166,7 @@ namespace Nowpose.Tests.Core.Protocol
 
             var response = Read(RosbridgeWriter.TimeResponse(call.Service, call.Id, time, RosTimeForm.Secs));
 
-            Assert.That(response.Id, Is.EqualTo("c7"));
+            Assert.That(response.Id.Text, Is.EqualTo("c7"));
             Assert.That(response.Result, Is.True);
             Assert.That(response.Time, Is.EqualTo(time));
         }
@@ -186,7 +186,7 @@ namespace Nowpose.Tests.Core.Protocol
 
             Assert.That(message.Level, Is.EqualTo("error"));
             Assert.That(message.Text, Is.EqualTo("Unknown operation: dance"));
-            Assert.That(message.Id, Is.EqualTo("4"));
+            Assert.That(message.Id.Text, Is.EqualTo("4"));
         }
 
         static KeyValuePair<string, string> Pair(string key, string value) => new KeyValuePair<string, string>(key, value);
