@@ -84,6 +84,23 @@ public class RosbridgeMessageTests
         await client.RoundTripAsync();
     }
 
+    [TestCase("throttle_rate", "-1")]
+    [TestCase("throttle_rate", "\"x\"")]
+    [TestCase("queue_length", "50.5")]
+    [TestCase("throttle_rate", "1099511627776")]
+    [TestCase("type", "5")]
+    public async Task Option_Unreadable_ReceivesAStatusWithOperationTopicAndId(string option, string value)
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        await client.SendAsync($$"""{"op":"subscribe","{{option}}":{{value}},"topic":"/tf","id":"t7"}""");
+
+        var text = await client.ReceiveTextAsync();
+        Assert.That(text, Does.Contain("\"id\":\"t7\"").And.Contain("subscribe /tf dropped: "));
+        Assert.That(gateway.Drops.Total, Is.EqualTo(1));
+    }
+
     }
 
     [TestCase("""{"op":"dance","id":"1"}""", DropReason.UnknownOp, "Unknown operation: dance")]

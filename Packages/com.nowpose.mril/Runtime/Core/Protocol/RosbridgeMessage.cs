@@ -8,6 +8,7 @@ namespace Nowpose.Protocol
     {
         internal RosbridgeMessage() { }
 
+        /// <summary>The operation; <see cref="RosbridgeOp.Unknown"/> also if the envelope of a message cannot be read.</summary>
         public RosbridgeOp Op { get; internal set; }
 
         /// <summary>The operation as written, even if it is <see cref="RosbridgeOp.Unknown"/>.</summary>

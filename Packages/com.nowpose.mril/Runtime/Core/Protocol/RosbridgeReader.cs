@@ -22,7 +22,10 @@ namespace Nowpose.Protocol
             "unadvertise_service", "status", "set_level");
 
         static readonly JsonNames Fields = new JsonNames(
-            "op", "topic", "msg", "id", "type", "service", "throttle_rate", "queue_length", "level", "result");
+            "op", "topic", "id", "service", "msg", "type", "throttle_rate", "queue_length", "level", "result");
+
+        // The first of these fields.
+        static readonly JsonNames Identity = new JsonNames("op", "topic", "id", "service");
 
         static readonly JsonNames Publication = new JsonNames("msg");
         static readonly JsonNames Response = new JsonNames("values");
@@ -40,7 +43,7 @@ namespace Nowpose.Protocol
         /// <summary>Reads one message; never throws for received data.</summary>
         /// <param name="message">
         /// The message, valid until the next call. For a rejected message, the readable part of its envelope, which is needed to report the
-        /// fault, or null.
+        /// fault; null if the message is not JSON.
         /// </param>
         public bool TryRead(ReadOnlySpan<byte> utf8, out RosbridgeMessage message, out DropReason reason)
         {
@@ -48,12 +51,28 @@ namespace Nowpose.Protocol
             reason = DropReason.TooLarge;
             if (utf8.Length > ProtocolLimits.DescriptionBytes) return false;
             reason = Read(utf8, isOnePass: true, out message);
+            if (reason == DropReason.None) return true;
             // A rejected message is read again to find the fault with the highest priority: syntax, then envelope, then body.
-            if (reason != DropReason.None) reason = JsonUtf8Reader.Check(utf8, ProtocolLimits.Nesting);
-            else return true;
             message = null;
-            if (reason == DropReason.None) reason = Read(utf8, isOnePass: false, out message);
+            reason = JsonUtf8Reader.Check(utf8, ProtocolLimits.Nesting);
+            if (reason != DropReason.None) return false;
+            reason = Read(utf8, isOnePass: false, out message);
+            message ??= Identify(utf8);
             return reason == DropReason.None;
+        }
+
+        // Reads the fields with which the sender recognises its message, although another field of the envelope cannot be read.
+        RosbridgeMessage Identify(ReadOnlySpan<byte> utf8)
+        {
+            _message.Clear();
+            var json = new JsonUtf8Reader(utf8, ProtocolLimits.Nesting);
+            var seen = 0;
+            json.BeginObject();
+            while (json.NextField(Identity, ref seen, out var field))
+                if (json.IsText || json.IsInteger && Fields[field] == "id") ReadField(ref json, field);
+                else json.Skip();
+            _message.Op = RosbridgeOp.Unknown;
+            return _message;
         }
 
         // isOnePass: reads the body in place if it follows the topic, which determines its type. Nearly all messages have this order.

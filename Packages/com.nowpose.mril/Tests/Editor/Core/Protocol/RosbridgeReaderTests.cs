@@ -109,6 +109,19 @@ namespace Nowpose.Tests.Core.Protocol
         public void TryRead_IdNeitherAStringNorAnInteger_IsRefused(string id, object reason) =>
             Refuse("{\"op\":\"call_service\",\"service\":\"/a\",\"id\":" + id + "}", (DropReason)reason);
 
+        [TestCase("\"id\":\"7\",", "7")]
+        [TestCase("\"id\":7,", "7")]
+        [TestCase("\"id\":7.5,", "")]
+        [TestCase("", "")]
+        public void TryRead_UnreadableOption_ReturnsOperationTopicAndId(string id, string expected)
+        {
+            var isRead = RosbridgeReader.TryRead("{\"op\":\"subscribe\",\"queue_length\":-1," + id + "\"topic\":\"/tf\"}", out var message, out _);
+
+            Assert.That(isRead, Is.False);
+            Assert.That((message.OpName, message.Topic, message.Id.ToString()), Is.EqualTo(("subscribe", "/tf", expected)));
+            Assert.That(message.Op, Is.EqualTo(RosbridgeOp.Unknown), "the request is not read");
+        }
+
         [Test]
         public void TryRead_UnknownOp_ReturnsItsNameAndId()
         {
