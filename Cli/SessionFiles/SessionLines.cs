@@ -119,7 +119,7 @@ static class SessionLines
         foreach (var point in line.Objects("points"))
         {
             var time = new TimeSpan(point.Whole("time_from_start_ns") / TimeSpan.NanosecondsPerTick);
-            if (time < TimeSpan.Zero || (points.Count > 0 && time <= points[^1].TimeFromStart))
+            if (!JointTrajectoryPoint.CanFollow(points, time))
                 throw point.Wrong("time_from_start_ns", SessionFileMessages.PointOrder(points.Count + 1));
             points.Add(new JointTrajectoryPoint(
                 time, point.Numbers("position", names.Length), Optional(point, "velocity", names.Length),

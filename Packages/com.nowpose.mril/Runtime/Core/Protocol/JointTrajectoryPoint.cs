@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Newtonsoft.Json;
 
 namespace Nowpose.Protocol
@@ -20,6 +21,15 @@ namespace Nowpose.Protocol
 
         /// <summary>Accelerations in rad/s² or m/s², NaN if unknown; null if all are unknown.</summary>
         public double[] Accelerations { get; }
+
+        /// <summary>
+        /// Whether a point can be at a given time after these points. Times must increase, because the positions of the path would be ambiguous
+        /// otherwise; ROS rejects such a path, too. Compares seconds, with which the path computes: two times after many years can be the same
+        /// number of seconds.
+        /// </summary>
+        public static bool CanFollow(IReadOnlyList<JointTrajectoryPoint> points, TimeSpan time) => points.Count == 0
+            ? time >= TimeSpan.Zero
+            : ClockTicks.Seconds(time) > ClockTicks.Seconds(points[points.Count - 1].TimeFromStart);
 
         public void Write(JsonWriter json, RosTimeForm form)
         {

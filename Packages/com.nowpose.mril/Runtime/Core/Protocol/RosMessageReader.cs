@@ -153,9 +153,7 @@ namespace Nowpose.Protocol
 
             if (!json.EndObject(seen, 0b11)) return false;
             if (!JointStateReader.HaveLength(positions.Count, velocities, accelerations)) return json.Fail(DropReason.LengthMismatch);
-            // Times must increase, because the positions of the path would be ambiguous otherwise. ROS rejects such a path, too.
-            if (afterStart < TimeSpan.Zero || (into.Count > 0 && afterStart <= into[into.Count - 1].TimeFromStart))
-                return json.Fail(DropReason.OutOfRange);
+            if (!JointTrajectoryPoint.CanFollow(into, afterStart)) return json.Fail(DropReason.OutOfRange);
             into.Add(new JointTrajectoryPoint(afterStart, positions.ToArray(), OrNull(velocities), OrNull(accelerations)));
             return true;
         }

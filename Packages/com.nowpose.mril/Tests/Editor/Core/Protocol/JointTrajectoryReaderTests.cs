@@ -37,6 +37,15 @@ namespace Nowpose.Tests.Core.Protocol
             Refuse(Trajectory(TrajectoryPoint(first), TrajectoryPoint(second)), DropReason.OutOfRange);
         }
 
+        // In seconds, two such times are the same double, so that the path between them would have no length.
+        [Test]
+        public void TryRead_TrajectoryTimesTooLateToDiffer_AreRefused()
+        {
+            string Late(int nanoseconds) => "{\"positions\":[1],\"time_from_start\":{\"sec\":1000000000,\"nanosec\":" + nanoseconds + "}}";
+
+            Refuse(Trajectory(Late(0), Late(100)), DropReason.OutOfRange);
+        }
+
         [TestCase(",\"accelerations\":[1,2]")]
         [TestCase(",\"velocities\":[1,2]")]
         public void TryRead_DerivativesWithWrongLength_AreRefused(string more)
