@@ -158,14 +158,23 @@ public class SyncClientTests
     }
 
     [Test]
-    public async Task Exchange_ServerDoesNotReply_TimesOutAndReconnects()
+    public async Task Exchange_ServerDoesNotReply_TimesOutWithTheReasonAndReconnects()
     {
         using var server = new FakeSyncServer(_ => []);
         var since = Stopwatch.GetTimestamp();
         var (client, _) = Connect(server.Port);
         using (client)
         {
-            await Soon.BecomesAsync(() => server.Connections >= 2, "a second connection");
+            var reason = "";
+            await Soon.BecomesAsync(
+                () =>
+                {
+                    if (client.Status.State == LinkState.Waiting) reason = client.Status.Detail;
+                    return server.Connections >= 2;
+                },
+                "a second connection");
+
+            Assert.That(reason, Is.EqualTo("clock sync: " + ConnectionMessages.NoResponse(ProtocolLimits.SyncReplyTimeout.TotalSeconds)));
 
             Assert.That(Stopwatch.GetElapsedTime(since), Is.GreaterThan(ProtocolLimits.SyncReplyTimeout - TimeSpan.FromMilliseconds(100)));
         }

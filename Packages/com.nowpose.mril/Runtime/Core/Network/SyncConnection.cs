@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using System.Net.Sockets;
 using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Sync;
@@ -53,6 +54,20 @@ namespace Nowpose.Network
             return new GatewayRefusalException(message);
         }
 
+        // The system's own text about a timeout names no remedy. Mono reports WouldBlock.
+        int Read(int got)
+        {
+            try
+            {
+                return _stream.Read(_reply, got, _reply.Length - got);
+            }
+            catch (Exception late) when (
+                late.GetBaseException() is SocketException { SocketErrorCode: SocketError.TimedOut or SocketError.WouldBlock })
+            {
+                throw new IOException(ConnectionMessages.NoResponse(ProtocolLimits.SyncReplyTimeout.TotalSeconds), late);
+            }
+        }
+
         SyncFrame Receive(SyncFrameKind kind)
         {
             var end = _clock.Now + ProtocolLimits.SyncReplyTimeout;
@@ -62,7 +77,7 @@ namespace Nowpose.Network
                 var left = (end - _clock.Now).TotalMilliseconds;
                 if (left <= 0) throw new IOException(ConnectionMessages.NoResponse(ProtocolLimits.SyncReplyTimeout.TotalSeconds));
                 _stream.ReadTimeout = (int)Math.Ceiling(left);
-                var read = _stream.Read(_reply, got, _reply.Length - got);
+                var read = Read(got);
                 if (read == 0 && got > 0) throw NotAFrame(ConnectionMessages.NotASyncFrame(SyncFrameFault.WrongSize));
                 if (read == 0) throw new EndOfStreamException(ConnectionMessages.Closed());
                 got += read;
