@@ -60,6 +60,7 @@ public sealed class GatewayDialerTlsTests
         var failure = Assert.ThrowsAsync<GatewayRefusalException>(() => opening.Bounded());
         Assert.That(failure.Message, Is.EqualTo(ConnectionMessages.TlsFailed(failure.InnerException.GetBaseException().Message)));
         Assert.That(failure.Message, Does.Not.Contain("inner exception"), "the message is the reason itself");
+        Assert.That(failure.Message, Does.Contain("TLS 1.2"), "the version that the headset uses");
     }
 
     [Test]

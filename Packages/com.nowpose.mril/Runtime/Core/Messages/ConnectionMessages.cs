@@ -62,7 +62,7 @@ namespace Nowpose.Messages
         public static string NothingReceived(double seconds) =>
             FormattableString.Invariant($"received nothing for {seconds} s; check the network, and that the gateway is running");
 
-        public static string TlsFailed(string reason) => $"TLS: {reason}; check that the gateway uses TLS on this port";
+        public static string TlsFailed(string reason) => $"TLS: {reason}; check that the gateway uses TLS on this port and accepts TLS 1.2";
 
         public static string NothingSent(double seconds) =>
             FormattableString.Invariant($"nothing could be sent for {seconds} s; check the network");
