@@ -152,9 +152,10 @@ public sealed class HubSource : IDisposable
     /// <param name="joint">The first joint of the message; empty if no name can be read.</param>
     internal void ReportRefused(string robot, string joint, Refusal refusal) => _hub.ReportRefused(this, robot, joint, refusal);
 
-    /// <summary>Reports a message that was dropped because it exceeds the client's message rate.</summary>
-    /// <param name="rule">The rule with the maximum rate and the remedy.</param>
-    internal void ReportExceededRate(string rule) => _hub.ReportExceededRate(this, rule);
+    /// <summary>Reports a rule that the client breaks.</summary>
+    /// <param name="what">What the client does, as a predicate, for example <see cref="EventTexts.ExceedsRate"/>.</param>
+    /// <param name="rule">The rule with the allowed values and the remedy, as a clause.</param>
+    internal void ReportBrokenRule(string what, string rule) => _hub.ReportBrokenRule(this, what, rule);
 
     /// <summary>Reports a frame or a signal that was left out of a message.</summary>
     /// <param name="topic">Topic of the message.</param>

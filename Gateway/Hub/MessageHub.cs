@@ -76,8 +76,8 @@ public sealed class MessageHub
     /// <summary>Raised when the report of a client is refused because another client uses the name in it.</summary>
     internal event Action<HubSource, string> NameRefused;
 
-    /// <summary>Raised when a message of a client is dropped because it exceeds the client's message rate, with the text of the rule.</summary>
-    internal event Action<HubSource, string> RateExceeded;
+    /// <summary>Raised when a client breaks a rule, with what it does as a predicate, and the rule as a clause.</summary>
+    internal event Action<HubSource, string, string> RuleBroken;
 
     /// <summary>Raised with the name of a client that has closed its connection normally.</summary>
     internal event Action<string> Left;
@@ -235,7 +235,7 @@ public sealed class MessageHub
 
     internal void ReportNameRefused(HubSource source, string name) => NameRefused?.Invoke(source, name);
 
-    internal void ReportExceededRate(HubSource source, string rule) => RateExceeded?.Invoke(source, rule);
+    internal void ReportBrokenRule(HubSource source, string what, string rule) => RuleBroken?.Invoke(source, what, rule);
 
     internal void ReportLeft(string name) => Left?.Invoke(name);
 

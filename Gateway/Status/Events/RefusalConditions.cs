@@ -10,18 +10,19 @@ sealed class RefusalConditions
     readonly RecentRefusals _owned;
     readonly RefusedSetPoints _setPoints;
     readonly RefusedNames _names;
-    readonly ExceededRates _rates;
+    readonly BrokenRules _rules;
 
     public RefusalConditions(MessageHub hub, TimeProvider time)
     {
         (_owned, _setPoints) = (new RecentRefusals(time), new RefusedSetPoints(time));
-        (_names, _rates) = (new RefusedNames(time), new ExceededRates(time));
+        (_names, _rules) = (new RefusedNames(time), new BrokenRules(time));
         hub.Refused += _owned.Add;
         hub.TopicReleased += _owned.Remove;
         hub.SetPointsRefused += _setPoints.Refuse;
         hub.TopicReleased += _setPoints.Release;
         hub.NameRefused += _names.Add;
-        hub.RateExceeded += _rates.Add;
+        hub.RuleBroken += _rules.Add;
+        hub.SampleDropped += AddNotAllowed;
     }
 
     /// <summary>Ends the refusals of the joints in a message with accepted set-points.</summary>
@@ -29,7 +30,12 @@ sealed class RefusalConditions
     public void Accept(HubMessage message) => _setPoints.Accept(message.Source, message.Robot, ((JointTrajectoryMessage)message.Content).Names);
 
     public IEnumerable<Condition> Read() => _owned.Read().Select(OfOwned).Concat(_setPoints.Read().Select(OfSetPoints))
-        .Concat(_names.Read().Select(OfName)).Concat(_rates.Read().Select(OfRate));
+        .Concat(_names.Read().Select(OfName)).Concat(_rules.Read().Select(OfRule));
+
+    void AddNotAllowed(HubSource source, string[] names, string reason, DropReason code)
+    {
+        if (code == DropReason.NotAllowed) _rules.Add(source, EventTexts.IsRefused, reason);
+    }
 
     static Condition OfOwned((string Source, string Kind, string Name, string Owner) one) =>
         OfSource(one.Source, $"{one.Kind} {one.Name}", EventTexts.Taken(one.Owner, one.Kind), EventRemedies.TwoSources);
@@ -53,7 +59,7 @@ sealed class RefusalConditions
             Remedy = remedy,
         };
 
-    static Condition OfRate((string Client, string Rule) one) => new("source", one.Client, EventTexts.ExceedsRate, one.Rule, Level.Warning);
+    static Condition OfRule((string Client, string What, string Rule) one) => new("source", one.Client, one.What, one.Rule, Level.Warning);
 
     static Condition OfName((string Name, string Client) one)
     {

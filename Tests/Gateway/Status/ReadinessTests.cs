@@ -57,6 +57,24 @@ public class ReadinessTests
     }
 
     [Test]
+    public async Task Ready_ObserverPublishesAJoint_StaysReadyAndNamesTheClient()
+    {
+        await using var gateway = await Gateways.StartAsync(Gateways.Options() with { Tokens = Gateways.Tokens });
+        using var observer = await RawRosbridgeClient.ConnectAsync(
+            gateway, options => options.SetRequestHeader("Authorization", "Bearer " + Gateways.ObserverToken));
+
+        await observer.SendAsync(Gateways.StateText(1, "invented"));
+        await observer.ExpectErrorAsync(nameof(DropReason.NotAllowed));
+
+        Assert.That((await GetAsync(gateway, "/readyz")).Text, Is.EqualTo("ready\n"));
+        var metrics = (await GetAsync(gateway, "/metrics", Gateways.ObserverToken)).Text;
+        Assert.That(metrics, Does.Not.Contain("invented"));
+        await Soon.BecomesAsync(
+            () => GetAsync(gateway, "/operations/events", Gateways.ObserverToken).Result.Text.Contains("rosbridge 127.0.0.1 is refused"),
+            "the event names the client");
+    }
+
+    [Test]
     public async Task Ready_ClockUnsynchronised_IsNotReady()
     {
         await using var gateway = await Gateways.StartAsync(clock: new StopwatchControlClock(Gateways.Start) { IsSynchronised = false });

@@ -35,7 +35,7 @@ public class RefusalConditionsTests
     public void MessageRate_Exceeded_IsAConditionFor5SecondsWithTheMaximumAndTheRemedy()
     {
         var rule = DropMessages.TooManyMessages(250);
-        Source("hasty").ReportExceededRate(rule);
+        Source("hasty").ReportBrokenRule(EventTexts.ExceedsRate, rule);
 
         _time.Advance(TimeSpan.FromSeconds(4));
         var found = _conditions.Read().Single();
@@ -47,7 +47,7 @@ public class RefusalConditionsTests
     [Test]
     public void MessageRate_ExceededByManyClients_HasABoundedNumberOfConditions()
     {
-        for (var client = 0; client < 1000; client++) Source($"client{client}").ReportExceededRate("");
+        for (var client = 0; client < 1000; client++) Source($"client{client}").ReportBrokenRule(EventTexts.ExceedsRate, "");
 
         Assert.That(Which(), Has.Length.EqualTo(64));
     }

@@ -102,7 +102,7 @@ namespace Nowpose.Protocol
             switch (Fields[field])
             {
                 case "op": isRead = json.Text(Ops, out var op, out text); _message.Op = (RosbridgeOp)(op + 1); _message.OpName = text; return isRead;
-case "id": isRead = json.OptionalId(out var id); _message.Id = id; return isRead;
+                case "id": isRead = json.OptionalId(out var id); _message.Id = id; return isRead;
                 case "topic": isRead = json.OptionalText(_topicNames, out text); SetTopic(text); return isRead;
                 case "type": isRead = json.OptionalText(out text); _message.Type = text; return isRead;
                 case "service": isRead = json.OptionalText(out text); _message.Service = text; return isRead;
