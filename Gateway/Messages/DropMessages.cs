@@ -18,6 +18,7 @@ static class DropMessages
         $"the client exceeds the maximum of {ProtocolLimits.SubscriptionsPerTopic} subscriptions to one topic; unsubscribe from some, or use their ids again";
 
     public static readonly string IdTooLong = $"the id is longer than the maximum of {ProtocolLimits.KeyLength} characters; shorten it";
+    public const string NotOneStatus = "the message must have exactly one status";
 
     public static readonly string ClockTaken =
         $"the clock {Of(DropReason.JointTaken)}; set another plant.name, or stop one of the two sources if it is not a standby";

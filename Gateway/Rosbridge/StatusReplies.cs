@@ -62,7 +62,7 @@ sealed class StatusReplies(HubSource source, DropCounters drops, PublishRights r
         if (topic != null && message.Topic.StartsWith('/') && rights.On(topic) == DropReason.NotAllowed)
             (reason, rule) = (DropReason.NotAllowed, null);
         drops.Count(reason);
-        rule ??= DropMessages.Of(reason);
+        rule ??= topic?.Kind == RosTopics.Diagnostics && reason == DropReason.LengthMismatch ? DropMessages.NotOneStatus : DropMessages.Of(reason);
         var text = reason == DropReason.UnknownOp
             ? RequestMessages.UnknownOperation(Short(message.OpName), KnownOperations)
             : $"{Subject(message)}{effect}: {rule} ({reason})";

@@ -101,6 +101,16 @@ public class RosbridgeMessageTests
         Assert.That(gateway.Drops.Total, Is.EqualTo(1));
     }
 
+    [TestCase("")]
+    [TestCase("""{"hardware_id":"a","values":[]},{"hardware_id":"b","values":[]}""")]
+    public async Task Diagnostics_NotOneStatus_AreDroppedWithThisReason(string status)
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        await client.SendAsync($$$"""{"op":"publish","topic":"/nowpose/diagnostics","msg":{"status":[{{{status}}}]}}""");
+
+        await client.ExpectErrorAsync("exactly one status");
     }
 
     [TestCase("""{"op":"dance","id":"1"}""", DropReason.UnknownOp, "Unknown operation: dance")]
