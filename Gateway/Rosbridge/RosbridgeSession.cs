@@ -162,7 +162,8 @@ sealed class RosbridgeSession : IDisposable
             _replies.Drop(message, reason, rule: reason == DropReason.WrongType ? TypeRule(message) : null);
         else if (HasRoomFor(message))
             Reserve(message);
-        if (reason == DropReason.None) Warn(message);
+        if (reason != DropReason.None) return;
+        Warn(message);
         Remember(message.Type);
     }
 

@@ -1,3 +1,4 @@
+using System.Text.Json;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Rosbridge;
 using NUnit.Framework;
@@ -168,6 +169,24 @@ public class RosapiTests
         await client.SendAsync($$"""{"op":"call_service","id":"1","service":"/rosapi/{{service}}","args":{{args}}}""");
 
         Assert.That(await client.ReceiveTextAsync(), Does.Contain($"\"values\":{values},\"result\":true"));
+    }
+
+    // roslib calls the service with the type of ROS 1 also for ROS 2.
+    [TestCase(null, "rosapi/GetTime", "sec")]
+    [TestCase("sensor_msgs/JointState", "rosapi_msgs/srv/GetTime", "secs")]
+    [TestCase("sensor_msgs/msg/JointState", "rosapi/GetTime", "sec")]
+    [TestCase("std_msgs/String", null, "sec")]
+    public async Task GetTime_AfterAnAdvertisement_HasTheTimeFormOfItsTypeIfItIsAccepted(string advertised, string called, string expected)
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+        if (advertised != null) await client.SendAsync(RosbridgeWriter.Advertise(RosTopics.JointStates, advertised));
+
+        await client.SendAsync(JsonSerializer.Serialize(new { op = "call_service", service = RosTopics.GetTime, type = called }));
+
+        var text = await client.ReceiveTextAsync();
+        if (text.Contains("dropped")) text = await client.ReceiveTextAsync();
+        Assert.That(text, Does.Contain($"\"{expected}\":"));
     }
 
     [TestCase("none", false)]
