@@ -80,7 +80,8 @@ static class DropMessages
         DropReason.StampInFuture =>
             "the time stamp is later than the control time by more than the clock's error bound plus 1 s; set the clock of the source",
         DropReason.NotAllowed =>
-            "the role of this client does not allow this message; use the token of a source; without tokens, connect from the gateway's machine",
+            "the role of this client does not allow this message; use the token of a source; without tokens, connect to localhost on the gateway's "
+                + "machine",
         DropReason.Unsynchronised => "the clock of its time stamp is not synchronised yet; wait",
         DropReason.JointTaken => "belongs to another source",
         DropReason.NotUnitQuaternion => FormattableString.Invariant(

@@ -8,6 +8,8 @@ static class RequestMessages
     public static string NotAccepted(string kind, string reason) => $"websocket: a connection could not be accepted ({kind}: {reason})";
     public static string OtherType(string topic, string type, string given) => $"{topic} has the type {type}, not {given}; use {type}";
 
+    public static string PublishedType(string type, string given) => $"has the type {type}, not {given}, and is read as such; use {type}";
+
     public const string NotAWebSocket = "this port serves rosbridge v2 over WebSocket; connect with a WebSocket client";
 
     public static string Closed(Closure why) => $"websocket: closed a connection (reason: {why})";
@@ -44,7 +46,8 @@ static class RequestMessages
     public static string Compression(string compression) =>
         $"compression {compression} is not supported; use none. Messages are sent as JSON text";
 
-    public static string FragmentSize(string size) => $"fragment_size {size} is not supported; remove it. Messages are not fragmented";
+    public static string FragmentSize(string size) =>
+        $"fragment_size {size} is not supported; remove it. The gateway splits no message into rosbridge fragments";
 
     public const string Qos = "qos is not supported; remove it. The gateway uses no quality of service of ROS";
 

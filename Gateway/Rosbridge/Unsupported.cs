@@ -27,7 +27,8 @@ static class Unsupported
             if (Value(ref json) is { } value && WarningOf(Options[option], Short(value), request) is { } warning) warnings.Add(warning);
         if (request.Op == RosbridgeOp.Subscribe && request.QueueLength > Subscription.MaxQueueLength)
             warnings.Add(RequestMessages.QueueLength(request.QueueLength, Subscription.MaxQueueLength));
-        if (request.Op == RosbridgeOp.Publish && !Publications.HasType(request.RobotTopic, request.Type)) warnings.Add(RequestText.TypeRule(request));
+        if (request.Op == RosbridgeOp.Publish && !Publications.HasType(request.RobotTopic, request.Type))
+            warnings.Add(RequestMessages.PublishedType(Publications.TypeOf(request.RobotTopic), RequestText.Short(request.Type)));
         return warnings;
     }
 

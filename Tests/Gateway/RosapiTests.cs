@@ -55,7 +55,7 @@ public class RosapiTests
         [Described + ""","fragment_size":1000}""", "warning", RequestMessages.FragmentSize("1000")],
         [
             Described + ""","type":"std_msgs/Bool"}""", "warning",
-            RequestMessages.OtherType("/robot_description", "std_msgs/String", "std_msgs/Bool"),
+            RequestMessages.PublishedType("std_msgs/String", "std_msgs/Bool"),
         ],
         [
             """{"op":"subscribe","topic":"/joint_states","type":"std_msgs/String"}""", "error",
@@ -187,6 +187,19 @@ public class RosapiTests
         var text = await client.ReceiveTextAsync();
         if (text.Contains("dropped")) text = await client.ReceiveTextAsync();
         Assert.That(text, Does.Contain($"\"{expected}\":"));
+    }
+
+    [Test]
+    public async Task Publish_WithAnotherType_ReceivesAWarningThatNamesTheTopicOnce()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        await client.SendAsync(Gateways.StateText(1).Insert(1, "\"type\":\"std_msgs/String\","));
+
+        var warning = await client.ReceiveAsync();
+        Assert.That(warning.Level, Is.EqualTo("warning"));
+        Assert.That(warning.Text.Split(RosTopics.JointStates), Has.Length.EqualTo(2), warning.Text);
     }
 
     [TestCase("none", false)]
