@@ -73,7 +73,9 @@ public sealed class HubMessage
         new HubMessage(Topic, part, Source, ReceivedAt) { Kind = Kind, Robot = Robot, Joints = joints }.With(Sequence);
 
     /// <summary>Whether the message is longer in one of the time formats than clients accept.</summary>
-    internal bool IsTooLong => Math.Max(_sec.Value.Length, _secs.Value.Length) > ProtocolLimits.MessageBytes;
+    internal bool IsTooLong => Kind == RosTopics.RobotDescription
+        ? _sec.Value.Length > ProtocolLimits.DescriptionBytes
+        : Math.Max(_sec.Value.Length, _secs.Value.Length) > ProtocolLimits.MessageBytes;
 
     /// <summary>Gets the message as UTF-8. All callers receive the same array and must not change it.</summary>
     internal ReadOnlyMemory<byte> Utf8(RosTimeForm form) => form == RosTimeForm.Secs ? _secs.Value : _sec.Value;

@@ -1,4 +1,5 @@
 using Nowpose.Gateway.Messages;
+using Nowpose.Gateway.Recording;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
@@ -59,7 +60,7 @@ public sealed class HubSource : IDisposable
             // With a refused joint, the next message is claimed again, because the joint may then be free.
             if (refusal == null) _claimed[robot] = claimed;
             // A description is sent once. When this source takes over the joints of another source, it also takes over the description.
-            if (_refused.TryGetValue(robot, out var urdf)) Describe(urdf, robot);
+            if (_refused.TryGetValue(robot, out var urdf)) Describe(urdf, out _, robot);
         }
 
         var published = HubMessage.OfRobot(robot, RosTopics.JointStates, message, this, receivedAt ?? Now, claimed.InCell);
@@ -90,13 +91,25 @@ public sealed class HubSource : IDisposable
     /// <returns>The name that was refused; null if the description was published.</returns>
     public string TryDescribe(string urdf) => Describe(urdf)?.What;
 
+    /// <inheritdoc cref="Describe(string, out string, string)"/>
+    internal Refusal? Describe(string urdf, string robot = "") => Describe(urdf, out _, robot);
+
     /// <inheritdoc cref="Publish(JointStateMessage, long?, string)"/>
-    internal Refusal? Describe(string urdf, string robot = "")
+    /// <param name="fault">
+    /// The reason why the description is invalid; null for a valid one. An invalid description is published if the robot has no valid one, because
+    /// headsets name its fault.
+    /// </param>
+    internal Refusal? Describe(string urdf, out string fault, string robot = "")
     {
+        var published = HubMessage.Description(urdf, robot, Now);
+        var described = new DescribedRobot(urdf, published.Topic);
+        fault = described.Fault;
+        if (published.IsTooLong) return new Refusal(DropReason.TooLarge, DropMessages.AsWritten);
+        if (fault != null && _hub.Links.HasValid(robot)) return new Refusal(DropReason.NotUrdf, DropMessages.KeptDescription, Rule: fault);
         var refusal = _hub.Claim(this, robot, RosTopics.RobotDescription, TheRobot, out _);
         if (refusal?.Reason == DropReason.JointTaken) _refused[robot] = urdf;
         else _refused.Remove(robot);
-        if (refusal == null) _hub.PublishDescription(HubMessage.Description(urdf, robot, Now));
+        if (refusal == null) _hub.PublishDescription(published, described);
         return refusal;
     }
 

@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Recording;
 using Nowpose.Gateway.Status;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
@@ -171,13 +172,13 @@ public sealed class MessageHub
         lock (_lock) return _signals.Publish(source, message, leftOut, receivedAt);
     }
 
-    internal void PublishDescription(HubMessage message)
+    internal void PublishDescription(HubMessage message, DescribedRobot described)
     {
         // Under the lock, so that a new subscriber receives the message exactly once, either as the kept message or as a new one.
         lock (_lock)
         {
             _robots.Describe(message);
-            Links.Describe(message.Robot, ((StringMessage)message.Content).Data);
+            Links.Describe(message.Robot, described);
             Publish(message);
         }
     }

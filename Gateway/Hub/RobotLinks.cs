@@ -29,15 +29,22 @@ sealed class RobotLinks
     public event Action<string> Removed;
 
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>
-    public void Describe(string robot, string urdf)
+    public void Describe(string robot, DescribedRobot described)
     {
         lock (_lock)
         {
-            if (_described.GetValueOrDefault(robot)?.Urdf == urdf) return;
-            var described = new DescribedRobot(urdf, RobotTopic.NameOf(robot, RosTopics.RobotDescription));
+            if (_described.GetValueOrDefault(robot)?.Urdf == described.Urdf) return;
             _described = _described.SetItem(robot, described);
             Read = Task.WhenAll(Read, Task.Run(() => Add(robot, described)));
         }
+    }
+
+    /// <summary>Whether a robot has a valid description. Parses the description if it has not been parsed yet.</summary>
+    public bool HasValid(string robot)
+    {
+        DescribedRobot described;
+        lock (_lock) described = _described.GetValueOrDefault(robot);
+        return described?.Model != null;
     }
 
     public void Remove(string robot)

@@ -18,6 +18,13 @@ static class DropMessages
         $"the client exceeds the maximum of {ProtocolLimits.SubscriptionsPerTopic} subscriptions to one topic; unsubscribe from some, or use their ids again";
 
     public static readonly string IdTooLong = $"the id is longer than the maximum of {ProtocolLimits.KeyLength} characters; shorten it";
+
+    /// <summary>Precedes the fault of a description.</summary>
+    public const string KeptDescription = "the robot keeps its earlier description; correct this one, which is invalid:";
+
+    /// <param name="fault">The fault of a description that is published nevertheless.</param>
+    public static string InvalidDescription(string fault) => $"has an invalid description: {fault}; correct it, so that headsets can show the robot";
+
     public const string NotOneStatus = "the message must have exactly one status";
 
     public static readonly string ClockTaken =

@@ -15,6 +15,9 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
     /// <summary>The transforms or signals of the present message that are not published.</summary>
     public List<LeftOut> LeftOut { get; } = [];
 
+    /// <summary>A fault of the message that was published last, as a predicate; null if it has none.</summary>
+    public string Warning { get; private set; }
+
     /// <summary>Checks the stamps of a message. Leaves out transforms with invalid stamps, unless all stamps of the message are invalid.</summary>
     /// <param name="stamp">The newest valid stamp, or the newest one if none is valid, on C1; zero for a message without a stamp.</param>
     /// <returns><see cref="DropReason.None"/> for valid stamps.</returns>
@@ -39,13 +42,19 @@ sealed class MessagePublisher(HubSource source, ServedClock clock, PlantTimeOffe
     public Refusal? Publish(RosbridgeMessage message, ControlTime stamp, long receivedAt)
     {
         _isPublished = true;
+        Warning = null;
         var robot = message.RobotTopic.Robot;
         if (message.JointState is { } state)
             return source.Publish(state.Stamp == stamp ? state : state.At(stamp), receivedAt, robot);
         if (message.JointTrajectory is { } plan)
             return source.Publish(plan.Stamp == stamp ? plan : plan.At(stamp), receivedAt, robot);
         if (message.Data != null)
-            return source.Describe(message.Data, robot);
+        {
+            var refusal = source.Describe(message.Data, out var fault, robot);
+            if (refusal == null && fault != null) Warning = DropMessages.InvalidDescription(fault);
+            return refusal;
+        }
+
         if (message.Transforms is { } transforms)
             _isPublished = source.Publish(transforms, message.Topic == RosTopics.TfStatic, LeftOut, receivedAt);
         else if (message.Signals is { } signals)

@@ -37,7 +37,7 @@ static class LimitCases
 
     static byte[] Description(int size)
     {
-        const string Before = """{"op":"publish","topic":"/robot_description","msg":{"data":"<robot/>""", After = "\"}}";
+        const string Before = """{"op":"publish","topic":"/robot_description","msg":{"data":"<robot name='r'><link name='l'/></robot>""", After = "\"}}";
         return Encoding.UTF8.GetBytes(Before + new string(' ', size - Before.Length - After.Length) + After);
     }
 }

@@ -34,7 +34,7 @@ public class RosapiTests
         Assert.That((await client.ReceiveAsync()).Result, Is.True);
     }
 
-    const string Described = """{"op":"publish","topic":"/robot_description","msg":{"data":"robot"}""";
+    const string Described = """{"op":"publish","topic":"/robot_description","msg":{"data":"<robot name='r'><link name='base'/></robot>"}""";
 
     static readonly string[][] UnsupportedRequests =
     [
@@ -130,7 +130,7 @@ public class RosapiTests
     [TestCase("""{"op":"subscribe","topic":"/joint_states","queue_length":1024}""")]
     [TestCase("""{"op":"advertise","topic":"/robot_description","latch":true}""")]
     [TestCase("""{"op":"advertise","topic":"/joint_states","latch":false}""")]
-    [TestCase("""{"op":"publish","topic":"/robot_description","msg":{"data":"compression"},"type":"std_msgs/msg/String","latch":true}""")]
+    [TestCase("""{"op":"publish","topic":"/robot_description","msg":{"data":"<robot name='compression'><link name='base'/></robot>"},"type":"std_msgs/msg/String","latch":true}""")]
     [TestCase("""{"op":"set_level","level":"error"}\n{"op":"subscribe","topic":"/joint_states","compression":"png"}""")]
     public async Task Request_Supported_ReceivesNoStatus(string requests)
     {

@@ -30,6 +30,8 @@ public class RobotNamespaceTests
     static string State(string robot, double position, string joint = "a") =>
         RosbridgeWriter.Publish(RobotTopic.NameOf(robot, RosTopics.JointStates), Gateways.State(position, joint), RosTimeForm.Sec);
 
+    static string Urdf(string name) => $"<robot name='{name}'><link name='base'/></robot>";
+
     [Test]
     public async Task Publish_EqualJointNamesOfTwoRobots_StaySeparate()
     {
@@ -73,14 +75,14 @@ public class RobotNamespaceTests
     [Test]
     public async Task Description_SourceWithTwoRobots_SubscriberReceivesOnlyThatOfItsRobot()
     {
-        await _first.SendAsync(RosbridgeWriter.Publish("/arm1/robot_description", new StringMessage("<robot name='one'/>")));
-        await _first.SendAsync(RosbridgeWriter.Publish("/arm2/robot_description", new StringMessage("<robot name='two'/>")));
+        await _first.SendAsync(RosbridgeWriter.Publish("/arm1/robot_description", new StringMessage(Urdf("one"))));
+        await _first.SendAsync(RosbridgeWriter.Publish("/arm2/robot_description", new StringMessage(Urdf("two"))));
         await _first.RoundTripAsync();
 
         await _second.SendAsync(RosbridgeWriter.Subscribe("/arm2/robot_description", "std_msgs/String"));
 
-        Assert.That((await _second.ReceiveAsync()).Data, Is.EqualTo("<robot name='two'/>"));
-        await _second.SendAsync(RosbridgeWriter.Publish("/arm2/robot_description", new StringMessage("<robot name='three'/>")));
+        Assert.That((await _second.ReceiveAsync()).Data, Is.EqualTo(Urdf("two")));
+        await _second.SendAsync(RosbridgeWriter.Publish("/arm2/robot_description", new StringMessage(Urdf("three"))));
         await _second.ExpectErrorAsync(CellMessageFaults.Of("the robot", DropReason.JointTaken));
         await _second.SubscribeAsync(RosTopics.RobotDescription);
     }
@@ -201,7 +203,7 @@ public class RobotNamespaceTests
         await _second.ExpectErrorAsync($"{CellMessageFaults.Of("robot arm16", DropReason.TooManyRobots)} ({DropReason.TooManyRobots})");
         await _second.SendAsync(RosbridgeWriter.Advertise("/arm16/joint_states", null));
         await _second.ExpectErrorAsync("TooManyRobots");
-        await _second.SendAsync(RosbridgeWriter.Publish("/arm16/robot_description", new StringMessage("<robot/>")));
+        await _second.SendAsync(RosbridgeWriter.Publish("/arm16/robot_description", new StringMessage(Urdf("r"))));
         await _second.ExpectErrorAsync("TooManyRobots");
 
         Assert.That(_gateway.Drops[DropReason.TooManyRobots], Is.EqualTo(3));
@@ -214,7 +216,7 @@ public class RobotNamespaceTests
     [Test]
     public async Task Publish_NewRobot_ReplacesADescribedRobotWithoutASource()
     {
-        for (var i = 0; i < 16; i++) await _first.SendAsync(RosbridgeWriter.Publish($"/arm{i}/robot_description", new StringMessage("<robot/>")));
+        for (var i = 0; i < 16; i++) await _first.SendAsync(RosbridgeWriter.Publish($"/arm{i}/robot_description", new StringMessage(Urdf("r"))));
         await _first.RoundTripAsync();
         _first.Dispose();
         await Soon.BecomesAsync(() => _gateway.WebSocketConnections.Open == 1, "the source has disconnected");
@@ -255,7 +257,7 @@ public class RobotNamespaceTests
         foreach (var text in new[]
         {
             State("arm1", 1), CellTexts.Tf(CellTexts.Frame("box")), CellTexts.TfStatic(CellTexts.Frame("box")), CellTexts.SignalsText(("grip", 1)),
-            RosbridgeWriter.Publish("/arm1/robot_description", new StringMessage("<robot/>")), RosbridgeWriter.Advertise("/tf", null),
+            RosbridgeWriter.Publish("/arm1/robot_description", new StringMessage(Urdf("r"))), RosbridgeWriter.Advertise("/tf", null),
             RosbridgeWriter.Advertise("/arm1/joint_trajectory", null),
         })
         {

@@ -1,0 +1,87 @@
+using Nowpose.Gateway.Plants;
+using Nowpose.Protocol;
+using NUnit.Framework;
+
+namespace Nowpose.Headless.Tests.Gateway;
+
+/// <summary>Tests what the gateway does with a robot description that is invalid or too long.</summary>
+public class RobotDescriptionTests
+{
+    const string Valid = "<robot name='a'><link name='base'/></robot>";
+
+    static string Text(string urdf) => RosbridgeWriter.Publish(RosTopics.RobotDescription, new StringMessage(urdf));
+
+    [TestCase("not xml")]
+    [TestCase("")]
+    public async Task Publish_FirstDescriptionIsInvalid_IsForwardedWithAWarningToItsSender(string invalid)
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var source = await RawRosbridgeClient.ConnectAsync(gateway);
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+        await client.SubscribeAsync(RosTopics.RobotDescription);
+
+        await source.SendAsync(Text(invalid));
+
+        var status = await source.ReceiveAsync();
+        Assert.That((status.Op, status.Level), Is.EqualTo((RosbridgeOp.Status, "warning")));
+        Assert.That(status.Text, Does.StartWith("publish /robot_description ").And.Contain("/robot_description"));
+        Assert.That((await client.ReceiveAsync()).Data, Is.EqualTo(invalid));
+        Assert.That(gateway.Drops.Total, Is.Zero);
+    }
+
+    [TestCase("not xml")]
+    [TestCase("")]
+    public async Task Publish_InvalidAfterAValidDescription_IsDroppedAndTheValidOneStays(string invalid)
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using (var former = await RawRosbridgeClient.ConnectAsync(gateway))
+        {
+            await former.SendAsync(Text(Valid));
+            await former.RoundTripAsync();
+        }
+
+        using var source = await RawRosbridgeClient.ConnectAsync(gateway);
+        await Soon.BecomesAsync(() => Refusal(source, invalid).Result.Contains(nameof(DropReason.NotUrdf)), "the former source has ended");
+
+        using var client = await RawRosbridgeClient.ConnectAsync(gateway);
+        await client.SendAsync("""{"op":"subscribe","topic":"/robot_description"}""");
+        Assert.That((await client.ReceiveAsync()).Data, Is.EqualTo(Valid));
+        Assert.That(gateway.Hub.DescriptionOf(""), Is.EqualTo(Valid));
+    }
+
+    [Test]
+    public async Task Publish_ValidAfterAnotherDescription_ReplacesIt()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var source = await RawRosbridgeClient.ConnectAsync(gateway);
+        var other = RobotFiles.LoadText("youbot");
+
+        await source.SendAsync(Text(Valid));
+        await source.SendAsync(Text(other));
+
+        await source.RoundTripAsync();
+        Assert.That(gateway.Hub.DescriptionOf(""), Is.EqualTo(other));
+    }
+
+    // The gateway writes such a character with six bytes instead of three.
+    [Test]
+    public async Task Publish_LongerThanTheLimitAsTheGatewayWritesIt_IsDropped()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var source = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        var name = new string('\u2028', 300_000);
+
+        await source.SendAsync("{\"op\":\"publish\",\"topic\":\"/robot_description\",\"msg\":{\"data\":\"<robot name='" + name + "'><link name='base'/></robot>\"}}");
+
+        await source.ExpectErrorAsync(nameof(DropReason.TooLarge));
+        Assert.That(gateway.Hub.DescriptionOf(""), Is.Null);
+    }
+
+    // The description of another source is refused for this reason until the gateway has noticed that the source has ended.
+    static async Task<string> Refusal(RawRosbridgeClient source, string urdf)
+    {
+        await source.SendAsync(Text(urdf));
+        return (await source.ReceiveAsync()).Text;
+    }
+}
