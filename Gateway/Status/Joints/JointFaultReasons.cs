@@ -48,8 +48,8 @@ static class JointFaultReasons
     // The words of the adapters for a value that has arrived and cannot be used.
     static readonly HashSet<string> OfValues =
     [
-        "status-bad", "status-uncertain", "type", "index", "field", "malformed", "not-finite", "stamp-missing", "stamp-zero", StampNotNewer, "stamp-future",
-        StampOld, "time-unmatched",
+        "status-bad", "status-uncertain", "type", "index", "field", "malformed", "not-finite", "name-twice", "stamp-missing", "stamp-zero",
+        StampNotNewer, "stamp-future", StampOld, "time-unmatched",
     ];
 
     /// <summary>All words.</summary>

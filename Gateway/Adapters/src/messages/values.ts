@@ -54,6 +54,7 @@ export const refusalMessages = {
   notNumber: (value: unknown) => `value ${shown(value)} is not a number; use a numeric variable`,
   noBits: (number: number) => `value ${number} has no bits; use a variable with a whole number, or remove bit`,
   noPosition: 'the source publishes no position for this joint; if the joint has none, list only the joints that are needed under joints',
+  nameTwice: (name: string) => `the name ${name} occurs twice in one message; let the source send each joint once`,
   notPosition: (text: string) => `value ${text} is not a finite number`,
   scaledNotPosition: (number: number, scale: number) => `value ${number} multiplied by the scale ${scale} is not a finite number`,
   parent: (choice: number, last: number) => `the number ${choice} selects no parent; allowed: a whole number from 0 to ${last}`,

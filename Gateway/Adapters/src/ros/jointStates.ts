@@ -32,7 +32,7 @@ interface JointState {
   isJudged: boolean;
 }
 
-/** Forwards joint states with their own stamps. Omits joints without a valid position. */
+/** Forwards joint states with their own stamps. Omits joints without a valid position, and those whose name occurs twice. */
 export class JointStates {
   /** The joints of which a position has arrived. `names` limits their number. */
   readonly #joints = new Map<string, JointState>();
@@ -66,9 +66,16 @@ export class JointStates {
     if (!this.clock.isSettled) return this.status.count('clock-unknown');
     const stamp = ofRosTime(message!.header?.stamp);
     const now = this.clock.now;
+    const areUnique = new Set(name).size === name.length;
     const taken = name.flatMap((source, i) => {
       const out = this.names.find(source);
       if (out === undefined && this.names.isFull) this.status.tooMany('joints', MAX_JOINTS);
+      if (out !== undefined && !areUnique && name.indexOf(source) !== name.lastIndexOf(source)) {
+        // The two positions may contradict each other.
+        this.status.joints.expect(out.joint);
+        this.status.refuse('name-twice', out.joint, refusalMessages.nameTwice(out.name));
+        return [];
+      }
       return out !== undefined && this.#isUsable(out, position[i], stamp, now) ? [{ out, i }] : [];
     });
     if (taken.length === 0) return;

@@ -12,12 +12,13 @@ const { JointNames, JointStates } = await parts('ros/jointNames', 'ros/jointStat
 function robot() {
   const one = plant([]), sent = [], { clock, status, output } = one;
   const states = new JointStates(new JointNames([]), 10n * S, clock, { publish: (topic, msg) => sent.push(msg) }, status, output.silence);
-  const pass = (position, ageMs = 0) => {
+  const passNames = (name, position, ageMs = 0) => {
     const stamp = clock.now - BigInt(ageMs) * 1_000_000n;
-    states.pass({ header: { stamp: { sec: Number(stamp / S), nanosec: Number(stamp % S) } }, name: ['a'], position: [position] });
+    states.pass({ header: { stamp: { sec: Number(stamp / S), nanosec: Number(stamp % S) } }, name, position });
     output.checkSilence();
   };
-  return { ...one, sent, pass, reason: () => status.joints.reasonOf('a') };
+  const pass = (position, ageMs = 0) => passNames(['a'], [position], ageMs);
+  return { ...one, sent, pass, passNames, reason: () => status.joints.reasonOf('a') };
 }
 
 describe('joint states of ROS', () => {
@@ -47,6 +48,15 @@ describe('joint states of ROS', () => {
     pass(1.5);
 
     assert.deepEqual([stateOf('a'), reason()], ['refused', refusalMessages.sameStamp]);
+  });
+
+  it('Joint_NameTwiceInAMessage_IsRefusedAndTheOthersAreForwarded', () => {
+    const { passNames, sent, status, stateOf, reason } = robot();
+
+    passNames(['a', 'b', 'a'], [2.6, 1, 2.7]);
+
+    assert.deepEqual(sent.map(({ name, position }) => [name, position]), [[['b'], [1]]]);
+    assert.deepEqual([stateOf('a'), reason(), status.refusals('name-twice')], ['missing', refusalMessages.nameTwice('a'), 2]);
   });
 
   it('Joint_ClockOfTheStampsStops_IsRefusedAfterASecond', () => {
