@@ -4,11 +4,9 @@ using System.Collections.Generic;
 namespace UnityEngine.InputSystem;
 
 [Serializable]
-public sealed class InputAction : ICloneable, IDisposable
+public sealed class InputAction : IDisposable
 {
     readonly List<string> _paths = new List<string>();
-
-    public InputAction() { }
 
     public InputAction(
         string name = null, InputActionType type = default, string binding = null, string interactions = null, string processors = null,
@@ -26,10 +24,6 @@ public sealed class InputAction : ICloneable, IDisposable
     public void Disable() => enabled = false;
 
     public void Dispose() => Disable();
-
-    public InputAction Clone() => throw new NotSupportedException("the stand-in cannot clone an action");
-
-    object ICloneable.Clone() => Clone();
 
     public bool IsPressed() => Find<bool>(out _);
 

@@ -15,7 +15,7 @@ namespace NativeWebSocket
     /// and never fails. Text and binary messages are not distinguished, arrive as a whole and have no size limit. A message that is sent while the
     /// socket is not open is lost without an error.
     /// </summary>
-    public class WebSocket : IWebSocket
+    public class WebSocket
     {
         readonly Uri _uri;
         readonly List<string> _subprotocols;

@@ -54,7 +54,7 @@ public sealed class AssetLibrary
     {
         var file = FileAt(path);
         var settings = SceneSettings.Of(_files.Documents(file), file.Path);
-        return new LoadedScene(file.Name, file.Path, Loaded.Instantiate(file).Roots, settings);
+        return new LoadedScene(Loaded.Instantiate(file).Roots, settings);
     }
 
     AssetFile FileAt(string path) => _files.Index.ByPath(path)

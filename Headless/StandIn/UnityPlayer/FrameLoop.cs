@@ -14,10 +14,10 @@ sealed class FrameLoop
     internal FrameLoop(World world) => _world = world;
 
     /// <summary>Loads a scene and unloads all others.</summary>
-    internal void LoadScene(string name, string path, IReadOnlyList<GameObject> roots)
+    internal void LoadScene(IReadOnlyList<GameObject> roots)
     {
         var before = new List<SceneContent>(_world.Scenes.Loaded);
-        _world.Scenes.Active = _world.Scenes.Add(name, path);
+        _world.Scenes.Active = _world.Scenes.Add();
         foreach (var scene in before) Unload(scene);
         _world.Scenes.Active.Adopt(roots);
     }

@@ -64,14 +64,14 @@ public sealed class Player : IDisposable
         using var scope = _world.Enter();
         var scene = _assets.LoadScene(path);
         prepare?.Invoke(scene.Roots);
-        _loop.LoadScene(scene.Name, scene.Path, scene.Roots);
+        _loop.LoadScene(scene.Roots);
     }
 
     /// <summary>Loads objects that are not in a scene as a new scene, and activates them.</summary>
-    internal void LoadScene(string name, string path, IReadOnlyList<GameObject> roots)
+    internal void LoadScene(IReadOnlyList<GameObject> roots)
     {
         using var scope = _world.Enter();
-        _loop.LoadScene(name, path, roots);
+        _loop.LoadScene(roots);
     }
 
     /// <summary>Runs one frame.</summary>

@@ -205,7 +205,6 @@ public sealed class PrefabInstanceTests
         player.LoadScene("Assets/Two.unity", roots => roots[1].SetActive(false));
 
         var scene = GameObject.Find("First").scene;
-        Assert.That((scene.name, scene.path), Is.EqualTo(("Two", "Assets/Two.unity")));
         Assert.That(scene.GetRootGameObjects().Select(g => g.name), Is.EqualTo(new[] { "First", "Between", "Second" }));
         Assert.That(scene.GetRootGameObjects()[1].activeInHierarchy, Is.False, "the object is inactive, as in the file");
         Assert.That(scene.GetRootGameObjects()[2].activeInHierarchy, Is.True);

@@ -28,7 +28,7 @@ public abstract class EditorFixture
         SessionState.Clear();
         PrefabUtility.Recorded.Clear();
         QualitySettings.renderPipeline = null;
-        World.Current.Scenes.BuildList.Clear();
+        World.Current.Scenes.BuildList = default;
         Selection.activeObject = null;
         Project.Open(null);
     }

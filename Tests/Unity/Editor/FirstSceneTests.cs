@@ -7,16 +7,17 @@ namespace Nowpose.Unity.Tests.Editor;
 /// <summary>Tests the check of the build list with the settings of the stand-in editor.</summary>
 public sealed class FirstSceneTests : EditorFixture
 {
-    // The path of the open scene is empty here.
-    [TestCase("Good")]
-    [TestCase("Good", "")]
-    [TestCase("Good", "", "Assets/Scenes/SampleScene.unity")]
-    [TestCase("Advice", "Assets/Scenes/SampleScene.unity", "")]
-    [TestCase("Advice", "Assets/Scenes/SampleScene.unity")]
-    public void FirstScene_BuildList_AdvisesUnlessItStartsWithTheOpenScene(string state, params string[] list)
+    // A scene that is not in the list has the index -1 or the length of the list.
+    [TestCase("Good", 0, 0)]
+    [TestCase("Good", 0, 1)]
+    [TestCase("Good", 0, 2)]
+    [TestCase("Advice", 1, 2)]
+    [TestCase("Advice", -1, 1)]
+    [TestCase("Advice", 1, 1)]
+    public void FirstScene_BuildList_AdvisesUnlessItStartsWithTheOpenScene(string state, int index, int count)
     {
         var reviewed = new ReviewedProject(this);
-        World.Current.Scenes.BuildList.AddRange(list);
+        World.Current.Scenes.BuildList = (index, count);
         reviewed.Review.Refresh();
 
         Assert.That(reviewed.Review.Results[reviewed.IndexOf(CheckTitles.FirstScene)].State.ToString(), Is.EqualTo(state));

@@ -140,7 +140,7 @@ public class TypedCodeTests
     public void File_OfTwoPairings_IsSavedByTheFirst(bool isInOtherScene)
     {
         Pair(Desk);
-        if (isInOtherScene) World.Current.Scenes.Active = World.Current.Scenes.Add("Other", "");
+        if (isInOtherScene) World.Current.Scenes.Active = World.Current.Scenes.Add();
         var pairing = AddSecond(out var second);
         Assert.That(second.gameObject.scene == _played.Session.gameObject.scene, Is.Not.EqualTo(isInOtherScene));
         var before = File.ReadAllText(_played.FilePath);

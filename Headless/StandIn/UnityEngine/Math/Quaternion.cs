@@ -22,19 +22,6 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
 
     public static Quaternion identity => new(0, 0, 0, 1);
 
-    public float this[int index]
-    {
-        readonly get => index switch { 0 => x, 1 => y, 2 => z, 3 => w, _ => throw new IndexOutOfRangeException("Invalid Quaternion index!") };
-        set
-        {
-            if (index == 0) x = value;
-            else if (index == 1) y = value;
-            else if (index == 2) z = value;
-            else if (index == 3) w = value;
-            else throw new IndexOutOfRangeException("Invalid Quaternion index!");
-        }
-    }
-
     /// <summary>
     /// Euler angles in degrees, each from 0 to 360. The rotation about z is applied first, then the rotation about x, then the rotation about y.
     /// </summary>
@@ -107,20 +94,6 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
         return dot > 1 - kEpsilon ? 0 : MathF.Acos(dot) * 2 * Mathf.Rad2Deg;
     }
 
-    public static Quaternion Slerp(Quaternion a, Quaternion b, float t) => SlerpUnclamped(a, b, Mathf.Clamp01(t));
-
-    public static Quaternion SlerpUnclamped(Quaternion a, Quaternion b, float t)
-    {
-        var dot = Dot(a, b);
-        var sign = dot < 0 ? -1f : 1f;
-        var angle = MathF.Acos(MathF.Min(dot * sign, 1));
-        var sine = MathF.Sin(angle);
-        // For nearly equal rotations, the sine is too small to divide by. Linear interpolation gives the same result.
-        return sine < 1e-4f
-            ? Normalize(Sum(a, 1 - t, b, sign * t))
-            : Sum(a, MathF.Sin((1 - t) * angle) / sine, b, sign * MathF.Sin(t * angle) / sine);
-    }
-
     public static Quaternion operator *(Quaternion lhs, Quaternion rhs) => new(
         lhs.w * rhs.x + lhs.x * rhs.w + lhs.y * rhs.z - lhs.z * rhs.y,
         lhs.w * rhs.y + lhs.y * rhs.w + lhs.z * rhs.x - lhs.x * rhs.z,
@@ -146,7 +119,4 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
 
     public readonly string ToString(string format, IFormatProvider formatProvider) =>
         new Vector4(x, y, z, w).ToString(string.IsNullOrEmpty(format) ? "F5" : format, formatProvider);
-
-    static Quaternion Sum(Quaternion a, float s, Quaternion b, float t) =>
-        new(a.x * s + b.x * t, a.y * s + b.y * t, a.z * s + b.z * t, a.w * s + b.w * t);
 }

@@ -18,12 +18,6 @@ public class Component : Object
 
     public Transform transform => gameObject.transform;
 
-    public string tag
-    {
-        get => gameObject.tag;
-        set => gameObject.tag = value;
-    }
-
     internal GameObject Owner => _gameObject;
 
     internal override Object NameOwner => _gameObject is null ? this : _gameObject;

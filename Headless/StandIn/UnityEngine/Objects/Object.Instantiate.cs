@@ -9,10 +9,4 @@ public partial class Object
 
     public static T Instantiate<T>(T original, Transform parent, bool worldPositionStays) where T : Object =>
         (T)Cloner.Instantiate(original, parent, worldPositionStays);
-
-    public static T Instantiate<T>(T original, Vector3 position, Quaternion rotation) where T : Object =>
-        Instantiate(original, position, rotation, null);
-
-    public static T Instantiate<T>(T original, Vector3 position, Quaternion rotation, Transform parent) where T : Object =>
-        (T)Cloner.Instantiate(original, parent, position, rotation);
 }

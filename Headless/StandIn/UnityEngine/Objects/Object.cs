@@ -52,9 +52,6 @@ public partial class Object
     /// <summary>Object that stores the name of this object: for a component, its GameObject; otherwise the object itself.</summary>
     internal virtual Object NameOwner => this;
 
-    /// <summary>Creates a copy for Instantiate; returns null if Instantiate must copy the serialised fields.</summary>
-    internal virtual Object Duplicate() => null;
-
     public int GetInstanceID() => _instanceId;
 
     public static implicit operator bool(Object exists) => Alive(exists);
@@ -64,11 +61,9 @@ public partial class Object
     public override int GetHashCode() => _instanceId;
     public override string ToString() => Destroyed ? "null" : $"{name} ({GetType().FullName})";
 
-    public static void Destroy(Object obj) => Destroy(obj, 0);
-
-    public static void Destroy(Object obj, float t)
+    public static void Destroy(Object obj)
     {
-        if (Alive(obj)) obj.World.Destruction.Later(obj, t);
+        if (Alive(obj)) obj.World.Destruction.Later(obj);
     }
 
     public static void DestroyImmediate(Object obj) => DestroyImmediate(obj, false);

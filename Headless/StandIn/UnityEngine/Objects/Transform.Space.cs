@@ -96,12 +96,6 @@ public partial class Transform
         }
     }
 
-    public Vector3 right
-    {
-        get => rotation * Vector3.right;
-        set => rotation = Quaternion.FromToRotation(Vector3.right, value);
-    }
-
     public Vector3 up
     {
         get => rotation * Vector3.up;

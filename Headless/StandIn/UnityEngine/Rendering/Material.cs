@@ -9,14 +9,6 @@ public class Material : Object
 
     public Material(Shader shader) => this.shader = shader;
 
-    public Material(Material source)
-    {
-        shader = source.shader;
-        OwnRenderQueue = source.OwnRenderQueue;
-        enableInstancing = source.enableInstancing;
-        CopyPropertiesFromMaterial(source);
-    }
-
     public Shader shader { get; set; }
 
     /// <summary>Render queue of the material. If the value was set to −1, the getter returns the queue of the shader.</summary>
@@ -38,13 +30,6 @@ public class Material : Object
 
     public Texture mainTexture { get; set; }
 
-    public void CopyPropertiesFromMaterial(Material mat)
-    {
-        _floats.CopyFrom(mat._floats);
-        _vectors.CopyFrom(mat._vectors);
-        mainTexture = mat.mainTexture;
-    }
-
     public string GetTag(string tag, bool searchFallbacks, string defaultValue) =>
         shader && shader.Tags.TryGetValue(tag, out var value) ? value : defaultValue;
 
@@ -58,6 +43,4 @@ public class Material : Object
     public Color GetColor(string name) => GetColor(Shader.PropertyToID(name));
     public void SetColor(int nameID, Color value) => _vectors.Set(nameID, value);
     public void SetColor(string name, Color value) => SetColor(Shader.PropertyToID(name), value);
-
-    internal override Object Duplicate() => new Material(this);
 }

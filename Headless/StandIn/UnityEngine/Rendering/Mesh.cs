@@ -79,19 +79,6 @@ public sealed class Mesh : Object
 
     public void UploadMeshData(bool markNoLongerReadable) => IsReadable = IsReadable && !markNoLongerReadable;
 
-    internal override Object Duplicate()
-    {
-        var copy = new Mesh
-        {
-            indexFormat = indexFormat,
-            vertices = _vertices,
-            normals = _normals,
-        };
-        copy._triangles.Clear();
-        copy._triangles.AddRange(_triangles);
-        return copy;
-    }
-
     static T[] Copy<T>(T[] values) => (T[])values?.Clone() ?? Array.Empty<T>();
 
     void MeasureBounds()

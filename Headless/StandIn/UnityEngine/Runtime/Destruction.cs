@@ -6,12 +6,12 @@ namespace UnityEngine;
 sealed class Destruction
 {
     readonly World _world;
-    readonly List<(Object What, double At)> _waiting = new();
+    readonly List<Object> _waiting = new();
     readonly HashSet<Object> _ending = new();
 
     internal Destruction(World world) => _world = world;
 
-    internal void Later(Object what, float seconds)
+    internal void Later(Object what)
     {
         if (!MayEnd(what, false)) return;
 
@@ -21,7 +21,7 @@ sealed class Destruction
                 "Destroy may not be called from edit mode! Use DestroyImmediate instead.\n" +
                 "Destroying an object in edit mode destroys it permanently.", what);
         }
-        else _waiting.Add((what, _world.Clock.Scaled + seconds));
+        else _waiting.Add(what);
     }
 
     internal void Now(Object what, bool alsoAssets)
@@ -29,18 +29,16 @@ sealed class Destruction
         if (MayEnd(what, alsoAssets)) End(what);
     }
 
-    /// <summary>Destroys the objects whose delay has elapsed.</summary>
+    /// <summary>Destroys the objects that wait for it.</summary>
     internal void Flush()
     {
         // Objects that an OnDestroy adds to the list are destroyed in the same pass.
         for (var i = 0; i < _waiting.Count; i++)
         {
-            var (what, at) = _waiting[i];
-            if (at > _world.Clock.Scaled) continue;
-
-            _waiting.RemoveAt(i--);
-            if (Object.Alive(what)) End(what);
+            if (Object.Alive(_waiting[i])) End(_waiting[i]);
         }
+
+        _waiting.Clear();
     }
 
     internal void End(Object what)

@@ -11,18 +11,7 @@ public struct Scene
 
     public readonly int handle => _content?.Handle ?? 0;
 
-    public readonly string name
-    {
-        get => _content?.Name ?? "";
-        set
-        {
-            if (_content != null) _content.Name = value;
-        }
-    }
-
-    public readonly string path => _content?.Path ?? "";
-
-    public readonly int buildIndex => World.Current.Scenes.BuildList.IndexOf(path);
+    public readonly int buildIndex => World.Current.Scenes.BuildList.Index;
 
     public readonly bool IsValid() => _content is { IsLoaded: true };
 

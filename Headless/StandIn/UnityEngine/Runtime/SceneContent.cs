@@ -7,16 +7,9 @@ sealed class SceneContent
 {
     readonly List<GameObject> _roots = new();
 
-    internal SceneContent(int handle, string name, string path)
-    {
-        Handle = handle;
-        Name = name;
-        Path = path;
-    }
+    internal SceneContent(int handle) => Handle = handle;
 
     internal int Handle { get; }
-    internal string Name { get; set; }
-    internal string Path { get; }
     internal bool IsLoaded { get; set; } = true;
     internal IReadOnlyList<GameObject> Roots => _roots;
 

@@ -8,19 +8,19 @@ sealed class Scenes
     readonly List<SceneContent> _loaded = new();
     int _lastHandle;
 
-    internal Scenes() => Active = Add("", "");
+    internal Scenes() => Active = Add();
 
     /// <summary>The active scene, to which new objects are added.</summary>
     internal SceneContent Active { get; set; }
 
     internal IReadOnlyList<SceneContent> Loaded => _loaded;
 
-    /// <summary>Paths of the ticked scenes in the Build Settings.</summary>
-    internal List<string> BuildList { get; } = new();
+    /// <summary>Index of the open scene among the ticked scenes in the Build Settings, and their number.</summary>
+    internal (int Index, int Count) BuildList { get; set; }
 
-    internal SceneContent Add(string name, string path)
+    internal SceneContent Add()
     {
-        var made = new SceneContent(--_lastHandle, name, path);
+        var made = new SceneContent(--_lastHandle);
         _loaded.Add(made);
         return made;
     }

@@ -15,58 +15,32 @@ sealed class Cloner
 
     internal static Object Instantiate(Object original, Transform parent, bool worldPositionStays)
     {
-        Check(original);
-        return HierarchyOf(original) is { } source
-            ? Finish(original, source, copy => copy.transform.Attach(parent, worldPositionStays))
-            : CopyAlone(original);
-    }
-
-    internal static Object Instantiate(Object original, Transform parent, Vector3 position, Quaternion rotation)
-    {
-        Check(original);
-        return HierarchyOf(original) is { } source
-            ? Finish(original, source, copy =>
-            {
-                copy.transform.Attach(parent, false);
-                copy.transform.SetPositionAndRotation(position, rotation);
-            })
-            : CopyAlone(original);
-    }
-
-    static void Check(Object original)
-    {
         if (!original) throw new ArgumentException("The Object you want to instantiate is null.", nameof(original));
-    }
 
-    static GameObject HierarchyOf(Object original) => original is Component component ? component.gameObject : original as GameObject;
-
-    static Object Finish(Object original, GameObject source, Action<GameObject> place)
-    {
+        var source = original is Component component ? component.gameObject : original as GameObject;
         var cloner = new Cloner();
-        var copy = cloner.CopyObjects(source, null);
-        copy.name = source.name + "(Clone)";
-        cloner.CopyAllFields();
-        place(copy);
-        if (copy.transform.parent is null) World.Current.Scenes.Active.Adopt(new[] { copy });
-        else Lifecycle.Refresh(copy);
+        if (source is null) cloner.CopyAsset((ScriptableObject)original);
+        else cloner.CopyHierarchy(source, parent, worldPositionStays);
         return cloner._copies[original];
     }
 
-    static Object CopyAlone(Object original)
+    void CopyAsset(ScriptableObject source)
     {
-        if (original.Duplicate() is { } made)
-        {
-            made.name = original.name + "(Clone)";
-            return made;
-        }
-
-        var cloner = new Cloner();
-        var copy = ScriptableObject.CreateAsleep(original.GetType());
-        cloner._copies.Add(original, copy);
-        cloner.CopyAllFields();
-        copy.name = original.name + "(Clone)";
+        var copy = ScriptableObject.CreateAsleep(source.GetType());
+        _copies.Add(source, copy);
+        CopyAllFields();
+        copy.name = source.name + "(Clone)";
         copy.Wake();
-        return copy;
+    }
+
+    void CopyHierarchy(GameObject source, Transform parent, bool worldPositionStays)
+    {
+        var copy = CopyObjects(source, null);
+        copy.name = source.name + "(Clone)";
+        CopyAllFields();
+        copy.transform.Attach(parent, worldPositionStays);
+        if (copy.transform.parent is null) World.Current.Scenes.Active.Adopt(new[] { copy });
+        else Lifecycle.Refresh(copy);
     }
 
     GameObject CopyObjects(GameObject source, Transform parent)

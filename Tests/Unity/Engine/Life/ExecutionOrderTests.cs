@@ -43,7 +43,7 @@ public sealed class ExecutionOrderTests : PlayerFixture
         child.transform.SetParent(root.transform);
         Assert.That(Journal.Take(), Is.Empty);
 
-        Player.LoadScene("test", "test.unity", [root]);
+        Player.LoadScene([root]);
 
         Assert.That(Journal.Take(), Is.EqualTo("early.Awake early.OnEnable late.Awake late.OnEnable"));
         Assert.That(Frame(), Does.StartWith("early.Start late.Start early.Update"));

@@ -67,19 +67,16 @@ public sealed class InstantiateTests : PlayerFixture
     }
 
     [Test]
-    public void Instantiate_WithPoseAndParent_CallsAwakeAndAppliesThem()
+    public void Instantiate_WithParent_CallsAwakeInTheSceneOfTheParent()
     {
         var parent = new GameObject("p").transform;
-        parent.position = Vector3.right;
         var source = Add<Recorder>("a");
         source.gameObject.layer = 3;
         Journal.Take();
 
-        var copy = Object.Instantiate(source.gameObject, new Vector3(1, 2, 3), Quaternion.Euler(0, 90, 0), parent);
+        var copy = Object.Instantiate(source.gameObject, parent);
 
         Assert.That(Journal.Take(), Is.EqualTo("a(Clone).Awake a(Clone).OnEnable"));
-        Assert.That(copy.transform.position, Is.EqualTo(new Vector3(1, 2, 3)));
-        Assert.That(copy.transform.localPosition, Is.EqualTo(new Vector3(0, 2, 3)));
         Assert.That((copy.transform.parent, copy.layer, copy.scene), Is.EqualTo((parent, 3, source.gameObject.scene)));
     }
 
@@ -113,13 +110,14 @@ public sealed class InstantiateTests : PlayerFixture
     public void Instantiate_Hierarchy_PlacesTheChildrenRelativeToTheCopy()
     {
         var source = new GameObject("a").transform;
+        source.position = Vector3.right;
         var child = new GameObject("c").transform;
         child.SetParent(source);
         child.localPosition = Vector3.up;
         child.localRotation = Quaternion.Euler(0, 90, 0);
         child.localScale = new Vector3(1, 2, 3);
 
-        var copy = Object.Instantiate(source, Vector3.right, Quaternion.identity).GetChild(0);
+        var copy = Object.Instantiate(source).GetChild(0);
 
         Assert.That((copy.name, copy.position, copy.localScale), Is.EqualTo(("c", new Vector3(1, 1, 0), new Vector3(1, 2, 3))));
         Assert.That(copy.rotation, Is.EqualTo(child.rotation));
@@ -136,17 +134,6 @@ public sealed class InstantiateTests : PlayerFixture
 
         Assert.That((copy.Number, Journal.Take()), Is.EqualTo((9, "Awake OnEnable")));
         Assert.That(copy, Is.Not.SameAs(source));
-    }
-
-    [Test]
-    public void Instantiate_Material_KeepsItsValues()
-    {
-        var source = new Material((Shader)null) { name = "m", color = Color.red };
-
-        var copy = Object.Instantiate(source);
-        copy.color = Color.blue;
-
-        Assert.That((source.color, copy.name), Is.EqualTo((Color.red, "m(Clone)")));
     }
 
     [Test]

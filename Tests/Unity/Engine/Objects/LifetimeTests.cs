@@ -75,19 +75,6 @@ public sealed class LifetimeTests : PlayerFixture
     }
 
     [Test]
-    public void Destroy_WithDelay_WaitsForThatTime()
-    {
-        var a = new GameObject("a");
-        Frame();
-        Object.Destroy(a, 0.035f);
-
-        Frame(3);
-        Assert.That(a != null);
-        Frame();
-        Assert.That(a == null);
-    }
-
-    [Test]
     public void Destroy_Component_KeepsItsObject()
     {
         var a = Add<Recorder>("a");

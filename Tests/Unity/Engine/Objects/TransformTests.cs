@@ -32,7 +32,6 @@ public sealed class TransformTests : PlayerFixture
         AssertAt(_child.lossyScale, Vector3.one * 2);
         AssertAt(_child.TransformPoint(Vector3.forward), ChildPosition + ChildRotation * Vector3.forward * 2);
         AssertAt(_child.TransformDirection(Vector3.forward), ChildRotation * Vector3.forward);
-        AssertAt(_child.right, ChildRotation * Vector3.right);
     }
 
     [Test]

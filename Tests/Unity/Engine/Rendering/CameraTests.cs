@@ -11,7 +11,7 @@ public sealed class CameraTests : PlayerFixture
     {
         Add<Camera>("other");
         var main = Add<Camera>("main");
-        main.tag = "MainCamera";
+        main.gameObject.tag = "MainCamera";
 
         Assert.That(Camera.main, Is.SameAs(main));
         main.enabled = false;

@@ -7,16 +7,12 @@ namespace Nowpose.UnityPlayer.Assets.Loading;
 /// <summary>The objects and settings of a scene file. The objects have not received Awake and are not in a scene yet.</summary>
 sealed class LoadedScene
 {
-    public LoadedScene(string name, string path, IReadOnlyList<GameObject> roots, IReadOnlyList<UnityDocument> settings)
+    public LoadedScene(IReadOnlyList<GameObject> roots, IReadOnlyList<UnityDocument> settings)
     {
-        Name = name;
-        Path = path;
         Roots = roots;
         Settings = settings;
     }
 
-    public string Name { get; }
-    public string Path { get; }
     public IReadOnlyList<GameObject> Roots { get; }
 
     /// <summary>Settings of the whole scene.</summary>
