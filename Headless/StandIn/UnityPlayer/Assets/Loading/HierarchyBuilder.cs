@@ -19,12 +19,11 @@ sealed class HierarchyBuilder
 {
     readonly LoadedAssets _assets;
     readonly ObjectFile _file;
-    readonly PrefabOrigin.Group _whole;
+    readonly PrefabInstance _whole;
     readonly Dictionary<long, Object> _objects = new Dictionary<long, Object>();
     readonly Dictionary<long, ObjectClass> _classes = new Dictionary<long, ObjectClass>();
-    readonly Dictionary<PrefabInstance, PrefabOrigin.Group> _groups = new Dictionary<PrefabInstance, PrefabOrigin.Group>();
 
-    HierarchyBuilder(LoadedAssets assets, ObjectFile file, PrefabOrigin.Group whole)
+    HierarchyBuilder(LoadedAssets assets, ObjectFile file, PrefabInstance whole)
     {
         _assets = assets;
         _file = file;
@@ -42,7 +41,7 @@ sealed class HierarchyBuilder
     /// <param name="whole">Prefab instance that the new objects form; null if they are the objects of the file itself.</param>
     /// <param name="made">Called after the creation of all objects, before their fields are set.</param>
     public static HierarchyBuilder Build(
-        LoadedAssets assets, ObjectFile file, PrefabOrigin.Group whole = null, Action<HierarchyBuilder> made = null)
+        LoadedAssets assets, ObjectFile file, PrefabInstance whole = null, Action<HierarchyBuilder> made = null)
     {
         var builder = new HierarchyBuilder(assets, file, whole);
         builder.MakeObjects();
@@ -93,10 +92,8 @@ sealed class HierarchyBuilder
         var known = described.ClassName == ScriptClass.ClassName
             ? ScriptClass.Of(_assets.ScriptAt(described, typeof(MonoBehaviour)))
             : EngineClasses.Find(described.ClassId, described.ClassName)
-
-
-                        ?? throw described.Place.Error(AssetFault.Unsupported, "the stand-in does not support class "
-                            + described.ClassName + " with number " + Numbers.Write(described.ClassId));
+                ?? throw described.Place.Error(AssetFault.Unsupported, "the stand-in does not support class "
+                    + described.ClassName + " with number " + Numbers.Write(described.ClassId));
         var component = owner.Add(known.Type);
         if (component is OpaqueComponent opaque) opaque.ClassName = described.ClassName;
         Add(described, known, component);
@@ -106,15 +103,8 @@ sealed class HierarchyBuilder
     {
         _objects.Add(described.FileId, made);
         _classes.Add(described.FileId, known);
-        if (_whole != null) PrefabOrigin.Set(made, _whole, described.FileId);
-        else if (described.Link != null) PrefabOrigin.Set(made, GroupOf(described.Link.Instance), described.Link.SourceFileId);
-    }
-
-    PrefabOrigin.Group GroupOf(PrefabInstance instance)
-    {
-        if (!_groups.TryGetValue(instance, out var group))
-            _groups.Add(instance, group = new PrefabOrigin.Group(instance.SourceGuid, instance.Source));
-        return group;
+        if (_whole != null) PrefabOrigin.Set(made, new PrefabLink(_whole, described.FileId));
+        else if (described.Link != null) PrefabOrigin.Set(made, described.Link);
     }
 
     void MakeHierarchy()

@@ -81,7 +81,7 @@ sealed class LoadedAssets
         if (!_references.TryGetValue(prefab, out var reference) || _files.Index.ByGuid(reference.Guid) is not { Extension: ".prefab" } file)
             throw new AssetException(AssetFault.MissingAsset, prefab + " is not a prefab of this library");
         var source = _files.Hierarchy(file);
-        return HierarchyBuilder.Build(this, source, new PrefabOrigin.Group(file.Guid, source)).Roots[0];
+        return HierarchyBuilder.Build(this, source, new PrefabInstance(null, 0, file.Guid, source)).Roots[0];
     }
 
     IReadOnlyDictionary<long, Object> Load(AssetFile file, Place place)

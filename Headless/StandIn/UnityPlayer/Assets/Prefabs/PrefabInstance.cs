@@ -17,7 +17,7 @@ sealed class PrefabInstance
         Source = source;
     }
 
-    /// <summary>Name of the file that contains the instance.</summary>
+    /// <summary>Name of the file that contains the instance; null for an instance that was not read from a file.</summary>
     public string File { get; }
 
     public long FileId { get; }

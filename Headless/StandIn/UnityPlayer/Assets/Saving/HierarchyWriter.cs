@@ -17,8 +17,7 @@ sealed class HierarchyWriter
     readonly string _file;
     readonly FileIds _ids = new FileIds();
     readonly List<SavedObject> _saved = new List<SavedObject>();
-    readonly Dictionary<PrefabOrigin.Group, PrefabInstance> _instances = new Dictionary<PrefabOrigin.Group, PrefabInstance>();
-
+    readonly Dictionary<PrefabInstance, PrefabInstance> _instances = new Dictionary<PrefabInstance, PrefabInstance>();
     readonly IReadOnlyDictionary<Object, long> _given;
 
     HierarchyWriter(string file, IReadOnlyDictionary<Object, long> given)
