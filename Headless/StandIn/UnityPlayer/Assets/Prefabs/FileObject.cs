@@ -8,7 +8,7 @@ namespace Nowpose.UnityPlayer.Assets.Prefabs;
 sealed class FileObject
 {
     public FileObject(UnityDocument document, string file)
-        : this(document.ClassId, document.ClassName, document.FileId, Nodes.Copy(document.Fields), file, null)
+        : this(document.ClassId, document.ClassName, document.FileId, (YamlMappingNode)LocalReferences.Copy(document.Fields), file, null)
     {
     }
 

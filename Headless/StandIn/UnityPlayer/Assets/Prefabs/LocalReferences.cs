@@ -8,8 +8,11 @@ namespace Nowpose.UnityPlayer.Assets.Prefabs;
 /// <summary>Finds and changes references to objects of the same file, at any depth of a value.</summary>
 static class LocalReferences
 {
+    /// <summary>Returns a deep copy.</summary>
+    public static YamlNode Copy(YamlNode node) => Map(node, fileId => fileId);
+
     /// <summary>
-    /// Returns a copy in which the fileIDs of local references are mapped by <paramref name="map"/>. Other references are unchanged.
+    /// Returns a deep copy in which the fileIDs of local references are mapped by <paramref name="map"/>. Other references are unchanged.
     /// </summary>
     public static YamlNode Map(YamlNode node, Func<long, long> map)
     {
@@ -19,14 +22,14 @@ static class LocalReferences
         {
             case YamlMappingNode mapping:
                 var fields = new YamlMappingNode { Style = mapping.Style };
-                foreach (var entry in mapping.Children) fields.Add(Nodes.Copy(entry.Key), Map(entry.Value, map));
+                foreach (var entry in mapping.Children) fields.Add(Map(entry.Key, map), Map(entry.Value, map));
                 return fields;
             case YamlSequenceNode sequence:
                 var list = new YamlSequenceNode { Style = sequence.Style };
                 foreach (var item in sequence.Children) list.Add(Map(item, map));
                 return list;
             default:
-                return Nodes.Copy(node);
+                return Nodes.Text(((YamlScalarNode)node).Value);
         }
     }
 

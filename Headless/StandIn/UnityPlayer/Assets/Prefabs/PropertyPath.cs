@@ -101,7 +101,7 @@ static class PropertyPath
         }
     }
 
-    static YamlNode CopyOf(YamlNode last) => last.Tag == Open ? NewOpen() : Nodes.Copy(last);
+    static YamlNode CopyOf(YamlNode last) => last.Tag == Open ? NewOpen() : LocalReferences.Copy(last);
 
     static YamlMappingNode NewOpen() => new YamlMappingNode { Tag = Open };
 }
