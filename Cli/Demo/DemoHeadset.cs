@@ -70,7 +70,7 @@ sealed class DemoHeadset : IDemoHeadset
 
     /// <summary>First error that the scene's scripts have logged; null if there is none.</summary>
     public string Complaint => _player.Logs
-        .FirstOrDefault(entry => entry.Type is LogType.Error or LogType.Exception or LogType.Assert)?.ToString();
+        .Where(entry => entry.Type is LogType.Error or LogType.Exception or LogType.Assert).Select(entry => entry.ToString()).FirstOrDefault();
 
     public void ReportGpuTime(TimeSpan length) => _player.ReportGpuTime(length);
 

@@ -1,23 +1,25 @@
+using System;
 using System.Collections.Generic;
 using UnityEngine;
+using Object = UnityEngine.Object;
 
 namespace Nowpose.UnityPlayer;
 
 /// <summary>Console of a player. Any thread may add entries. The first 1000 entries do not allocate.</summary>
 sealed class PlayerLog
 {
-    readonly List<LogEntry> _lines = new(1000);
+    readonly List<PlayerLogEntry> _entries = new(1000);
 
     internal IReadOnlyList<PlayerLogEntry> Entries
     {
         get
         {
-            lock (_lines) return _lines.ConvertAll(line => new PlayerLogEntry(line.Type, line.Message, line.Exception, line.Context));
+            lock (_entries) return _entries.ToArray();
         }
     }
 
-    internal void Add(LogEntry line)
+    internal void Add(LogType type, string message, Exception exception, Object context)
     {
-        lock (_lines) _lines.Add(line);
+        lock (_entries) _entries.Add(new PlayerLogEntry(type, message, exception, context));
     }
 }

@@ -4,7 +4,7 @@ using UnityEngine;
 namespace Nowpose.UnityPlayer;
 
 /// <summary>One entry of the console of a player.</summary>
-public sealed class PlayerLogEntry
+public readonly struct PlayerLogEntry
 {
     internal PlayerLogEntry(LogType type, string message, Exception exception, UnityEngine.Object context)
     {

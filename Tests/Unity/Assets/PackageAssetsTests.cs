@@ -73,7 +73,7 @@ public sealed class PackageAssetsTests
     public void Assets_InTheRepository_MatchTheOutputOfTheTool()
     {
         // The tool creates its objects in this world.
-        using var scene = new World(isPlaying: false, _ => { }).Enter();
+        using var scene = new World(isPlaying: false, (_, _, _, _) => { }).Enter();
 
         Assert.That(AssetPlan.Differing(RepositoryFiles.Root), Is.Empty, "run: dotnet run --project Headless/Tools/Prefabs");
         Assert.That(Assets, Is.EquivalentTo(AssetPlan.Paths));

@@ -4,7 +4,7 @@ namespace UnityEngine;
 static class BuiltIn
 {
     // The resources belong to the whole process, as in Unity, so they have a world of their own. They are never changed or destroyed.
-    static readonly World Own = new(isPlaying: false, _ => { });
+    static readonly World Own = new(isPlaying: false, (_, _, _, _) => { });
 
     static Material s_material;
     static Material s_fontMaterial;

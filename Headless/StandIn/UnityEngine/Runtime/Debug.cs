@@ -13,8 +13,8 @@ public class Debug
     public static void LogException(Exception exception) => LogException(exception, null);
 
     public static void LogException(Exception exception, Object context) =>
-        World.Current.Log(new LogEntry(LogType.Exception, $"{exception.GetType().Name}: {exception.Message}", exception, context));
+        World.Current.Log(LogType.Exception, $"{exception.GetType().Name}: {exception.Message}", exception, context);
 
     static void Write(LogType type, object message, Object context) =>
-        World.Current.Log(new LogEntry(type, message?.ToString() ?? "Null", null, context));
+        World.Current.Log(type, message?.ToString() ?? "Null", null, context);
 }

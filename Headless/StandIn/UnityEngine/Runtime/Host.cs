@@ -29,8 +29,8 @@ sealed class Host
 
     internal static int Count(Delegate d) => d?.GetInvocationList().Length ?? 0;
 
-    internal void Logged(LogEntry entry)
+    internal void Logged(LogType type, string message, Exception exception)
     {
-        lock (_lock) LogReceived?.Invoke(entry.Message, entry.Exception?.StackTrace ?? "", entry.Type);
+        lock (_lock) LogReceived?.Invoke(message, exception?.StackTrace ?? "", type);
     }
 }

@@ -7,17 +7,19 @@ namespace UnityEngine;
 sealed class World
 {
     // The world of edit-mode tests. It exists for as long as the process runs.
-    static readonly World EditMode = new(isPlaying: false, EditModeLog);
+    static readonly World EditMode = new(isPlaying: false, (type, message, _, _) => Console.WriteLine($"{type}: {message}"));
 
     static World s_current = EditMode;
 
     readonly HashSet<Object> _objects = new();
-    readonly Action<LogEntry> _log;
+    readonly Action<LogType, string, Exception, Object> _log;
     int _lastId;
 
     /// <param name="isPlaying">Whether all scripts run. If false, only scripts with the attribute for edit mode run.</param>
-    /// <param name="log">Called with each log entry, from any thread.</param>
-    internal World(bool isPlaying, Action<LogEntry> log)
+    /// <param name="log">
+    /// Called with each log entry, from any thread. The exception is null if the entry is a message; the object may be null.
+    /// </param>
+    internal World(bool isPlaying, Action<LogType, string, Exception, Object> log)
     {
         IsPlaying = isPlaying;
         _log = log;
@@ -59,10 +61,10 @@ sealed class World
 
     internal void Forget(Object destroyed) => _objects.Remove(destroyed);
 
-    internal void Log(LogEntry entry)
+    internal void Log(LogType type, string message, Exception exception, Object context)
     {
-        _log(entry);
-        Host.Logged(entry);
+        _log(type, message, exception, context);
+        Host.Logged(type, message, exception);
     }
 
     internal static World MakeCurrent(World world)
@@ -79,6 +81,4 @@ sealed class World
     {
         if (ReferenceEquals(s_current, ended)) MakeCurrent(EditMode);
     }
-
-    static void EditModeLog(LogEntry entry) => Console.WriteLine($"{entry.Type}: {entry.Message}");
 }
