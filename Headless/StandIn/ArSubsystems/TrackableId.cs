@@ -3,18 +3,12 @@ using System.Globalization;
 
 namespace UnityEngine.XR.ARSubsystems;
 
-public struct TrackableId : IEquatable<TrackableId>
+public struct TrackableId(ulong subId1, ulong subId2) : IEquatable<TrackableId>
 {
-    public TrackableId(ulong subId1, ulong subId2)
-    {
-        this.subId1 = subId1;
-        this.subId2 = subId2;
-    }
-
     public static TrackableId invalidId => default;
 
-    public ulong subId1 { get; set; }
-    public ulong subId2 { get; set; }
+    public ulong subId1 { get; set; } = subId1;
+    public ulong subId2 { get; set; } = subId2;
 
     public override string ToString() => string.Format(CultureInfo.InvariantCulture, "{0}-{1}", subId1.ToString("X16"), subId2.ToString("X16"));
     public override int GetHashCode() => HashCode.Combine(subId1, subId2);

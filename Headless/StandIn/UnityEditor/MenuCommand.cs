@@ -2,16 +2,10 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
-public sealed class MenuCommand
+public sealed class MenuCommand(Object inContext, int inUserData)
 {
-    public Object context;
-    public int userData;
+    public Object context = inContext;
+    public int userData = inUserData;
 
     public MenuCommand(Object inContext) : this(inContext, 0) { }
-
-    public MenuCommand(Object inContext, int inUserData)
-    {
-        context = inContext;
-        userData = inUserData;
-    }
 }

@@ -6,22 +6,15 @@ using System.Reflection;
 namespace UnityEditor;
 
 [AttributeUsage(AttributeTargets.Method, AllowMultiple = true)]
-public sealed class MenuItem : Attribute
+public sealed class MenuItem(string itemName, bool isValidateFunction, int priority) : Attribute
 {
-    public string menuItem;
-    public bool validate;
-    public int priority;
+    public string menuItem = itemName;
+    public bool validate = isValidateFunction;
+    public int priority = priority;
 
     public MenuItem(string itemName) : this(itemName, false) { }
 
     public MenuItem(string itemName, bool isValidateFunction) : this(itemName, isValidateFunction, 1000) { }
-
-    public MenuItem(string itemName, bool isValidateFunction, int priority)
-    {
-        menuItem = itemName;
-        validate = isValidateFunction;
-        this.priority = priority;
-    }
 
     /// <summary>The menu items of the project, with their methods.</summary>
     internal static IEnumerable<(string Path, MethodInfo Method)> All =>

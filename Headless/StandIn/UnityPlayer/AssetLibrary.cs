@@ -21,9 +21,7 @@ public sealed class AssetLibrary
     /// <param name="projectRoot">Folder that contains Assets/ and Packages/. The samples in packages are included.</param>
     /// <exception cref="AssetException">A .meta file has no GUID, or two files have the same GUID.</exception>
     public AssetLibrary(string projectRoot)
-        : this(new AssetFiles(new AssetIndex(AssetIndex.FoldersOf(projectRoot))))
-    {
-    }
+        : this(new AssetFiles(new AssetIndex(AssetIndex.FoldersOf(projectRoot)))) { }
 
     AssetLibrary(AssetFiles files) => _files = files;
 

@@ -13,28 +13,19 @@ namespace Nowpose.UnityPlayer;
 /// Writes objects in Unity's text format. The same objects produce the same text on every machine. Writing the objects of a file that
 /// <see cref="AssetLibrary"/> has loaded reproduces the text of the file.
 /// </summary>
-public sealed class AssetWriter
+/// <param name="library">Library with the assets and scripts to which the objects refer.</param>
+public sealed class AssetWriter(AssetLibrary library)
 {
-    readonly AssetLibrary _library;
-
-    /// <param name="library">Library with the assets and scripts to which the objects refer.</param>
-    public AssetWriter(AssetLibrary library) => _library = library;
-
     /// <summary>Writes a prefab.</summary>
     /// <param name="root">Root object of the prefab. Its descendants are included.</param>
     /// <exception cref="AssetException">An object refers to an object that is neither below the root nor an asset of the library.</exception>
-    public string Prefab(GameObject root)
-    {
-        return UnityDocumentWriter.Write(HierarchyWriter.Write(_library.Loaded, new[] { root }, root.name));
-    }
+    public string Prefab(GameObject root) => UnityDocumentWriter.Write(HierarchyWriter.Write(library.Loaded, new[] { root }, root.name));
 
     /// <summary>Writes a stand-in for a prefab of another package, with the fileIDs of the original.</summary>
     /// <param name="root">Root object of the prefab. Its descendants are included.</param>
     /// <param name="fileIds">FileIDs that some of the objects have in the original. The writer generates the fileIDs of the other objects.</param>
-    internal string Prefab(GameObject root, IReadOnlyDictionary<Object, long> fileIds)
-    {
-        return UnityDocumentWriter.Write(HierarchyWriter.Write(_library.Loaded, new[] { root }, root.name, fileIds));
-    }
+    internal string Prefab(GameObject root, IReadOnlyDictionary<Object, long> fileIds) =>
+        UnityDocumentWriter.Write(HierarchyWriter.Write(library.Loaded, new[] { root }, root.name, fileIds));
 
     /// <summary>Writes a scene with the settings of a new scene.</summary>
     /// <param name="roots">Root objects of the scene in order.</param>
@@ -49,15 +40,13 @@ public sealed class AssetWriter
     /// <exception cref="AssetException">The shader of the material is not an asset of the library.</exception>
     public string Asset(Material material) => Alone(material, MaterialClass.Class, MaterialClass.FileId);
 
-    internal string Scene(IReadOnlyList<GameObject> roots, IReadOnlyList<UnityDocument> settings)
-    {
-        return UnityDocumentWriter.Write(settings.Concat(HierarchyWriter.Write(_library.Loaded, roots, "scene")));
-    }
+    internal string Scene(IReadOnlyList<GameObject> roots, IReadOnlyList<UnityDocument> settings) =>
+        UnityDocumentWriter.Write(settings.Concat(HierarchyWriter.Write(library.Loaded, roots, "scene")));
 
     string Alone(Object target, ObjectClass known, long fileId)
     {
         var own = new Dictionary<long, Object> { [fileId] = target };
-        var references = new FileReferences(_library.Loaded, own, System.Array.Empty<GameObject>());
+        var references = new FileReferences(library.Loaded, own, System.Array.Empty<GameObject>());
         var fields = known.Write(target, references, new Place(target.name + " " + known.Type.Name));
         return UnityDocumentWriter.Write(new[] { new UnityDocument(known.Id, known.Name, fileId, fields) });
     }

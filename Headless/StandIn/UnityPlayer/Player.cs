@@ -21,10 +21,7 @@ public sealed class Player : IDisposable
     /// <summary>Creates a player with an empty scene.</summary>
     /// <param name="assets">Library from which the player loads scenes.</param>
     public Player(AssetLibrary assets)
-        : this()
-    {
-        _assets = assets;
-    }
+        : this() => _assets = assets;
 
     /// <summary>Creates a player with an empty scene and without assets.</summary>
     public Player()

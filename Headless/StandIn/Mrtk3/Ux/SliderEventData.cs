@@ -1,13 +1,7 @@
 namespace MixedReality.Toolkit.UX;
 
-public class SliderEventData
+public class SliderEventData(float oldValue, float newValue)
 {
-    public SliderEventData(float oldValue, float newValue)
-    {
-        OldValue = oldValue;
-        NewValue = newValue;
-    }
-
-    public float OldValue { get; private set; }
-    public float NewValue { get; private set; }
+    public float OldValue { get; private set; } = oldValue;
+    public float NewValue { get; private set; } = newValue;
 }

@@ -2,16 +2,10 @@ using System;
 
 namespace UnityEngine;
 
-public struct Bounds : IEquatable<Bounds>, IFormattable
+public struct Bounds(Vector3 center, Vector3 size) : IEquatable<Bounds>, IFormattable
 {
-    public Bounds(Vector3 center, Vector3 size)
-    {
-        this.center = center;
-        extents = size / 2;
-    }
-
-    public Vector3 center { readonly get; set; }
-    public Vector3 extents { readonly get; set; }
+    public Vector3 center { readonly get; set; } = center;
+    public Vector3 extents { readonly get; set; } = size / 2;
 
     public Vector3 size
     {

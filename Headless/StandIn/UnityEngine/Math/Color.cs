@@ -3,20 +3,12 @@ using System.Globalization;
 
 namespace UnityEngine;
 
-public struct Color : IEquatable<Color>, IFormattable
+public struct Color(float r, float g, float b, float a) : IEquatable<Color>, IFormattable
 {
-    public float r;
-    public float g;
-    public float b;
-    public float a;
-
-    public Color(float r, float g, float b, float a)
-    {
-        this.r = r;
-        this.g = g;
-        this.b = b;
-        this.a = a;
-    }
+    public float r = r;
+    public float g = g;
+    public float b = b;
+    public float a = a;
 
     public Color(float r, float g, float b) : this(r, g, b, 1) { }
 

@@ -2,20 +2,12 @@ using System;
 
 namespace UnityEngine;
 
-public struct Color32 : IFormattable
+public struct Color32(byte r, byte g, byte b, byte a) : IFormattable
 {
-    public byte r;
-    public byte g;
-    public byte b;
-    public byte a;
-
-    public Color32(byte r, byte g, byte b, byte a)
-    {
-        this.r = r;
-        this.g = g;
-        this.b = b;
-        this.a = a;
-    }
+    public byte r = r;
+    public byte g = g;
+    public byte b = b;
+    public byte a = a;
 
     public static implicit operator Color32(Color c) => new(Byte(c.r), Byte(c.g), Byte(c.b), Byte(c.a));
     public static implicit operator Color(Color32 c) => new(c.r / 255f, c.g / 255f, c.b / 255f, c.a / 255f);

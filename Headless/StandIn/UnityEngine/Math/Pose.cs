@@ -2,16 +2,10 @@ using System;
 
 namespace UnityEngine;
 
-public struct Pose : IEquatable<Pose>
+public struct Pose(Vector3 position, Quaternion rotation) : IEquatable<Pose>
 {
-    public Vector3 position;
-    public Quaternion rotation;
-
-    public Pose(Vector3 position, Quaternion rotation)
-    {
-        this.position = position;
-        this.rotation = rotation;
-    }
+    public Vector3 position = position;
+    public Quaternion rotation = rotation;
 
     public static bool operator ==(Pose a, Pose b) => a.position == b.position && a.rotation == b.rotation;
     public static bool operator !=(Pose a, Pose b) => !(a == b);

@@ -3,22 +3,14 @@ using System;
 namespace UnityEngine;
 
 /// <summary>A rotation in left-handed axes. A positive angle turns clockwise as seen from the tip of the axis towards its origin.</summary>
-public struct Quaternion : IEquatable<Quaternion>, IFormattable
+public struct Quaternion(float x, float y, float z, float w) : IEquatable<Quaternion>, IFormattable
 {
     public const float kEpsilon = 1E-06f;
 
-    public float x;
-    public float y;
-    public float z;
-    public float w;
-
-    public Quaternion(float x, float y, float z, float w)
-    {
-        this.x = x;
-        this.y = y;
-        this.z = z;
-        this.w = w;
-    }
+    public float x = x;
+    public float y = y;
+    public float z = z;
+    public float w = w;
 
     public static Quaternion identity => new(0, 0, 0, 1);
 

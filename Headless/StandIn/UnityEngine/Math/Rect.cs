@@ -3,20 +3,12 @@ using System.Globalization;
 
 namespace UnityEngine;
 
-public struct Rect : IEquatable<Rect>, IFormattable
+public struct Rect(float x, float y, float width, float height) : IEquatable<Rect>, IFormattable
 {
-    public Rect(float x, float y, float width, float height)
-    {
-        this.x = x;
-        this.y = y;
-        this.width = width;
-        this.height = height;
-    }
-
-    public float x { readonly get; set; }
-    public float y { readonly get; set; }
-    public float width { readonly get; set; }
-    public float height { readonly get; set; }
+    public float x { readonly get; set; } = x;
+    public float y { readonly get; set; } = y;
+    public float width { readonly get; set; } = width;
+    public float height { readonly get; set; } = height;
 
     public float xMin
     {

@@ -3,16 +3,10 @@ using System.Globalization;
 
 namespace UnityEngine;
 
-public struct Vector2 : IEquatable<Vector2>, IFormattable
+public struct Vector2(float x, float y) : IEquatable<Vector2>, IFormattable
 {
-    public float x;
-    public float y;
-
-    public Vector2(float x, float y)
-    {
-        this.x = x;
-        this.y = y;
-    }
+    public float x = x;
+    public float y = y;
 
     public static Vector2 zero => new(0, 0);
 

@@ -3,7 +3,7 @@ using System.Globalization;
 
 namespace UnityEngine;
 
-public struct Vector3 : IEquatable<Vector3>, IFormattable
+public struct Vector3(float x, float y, float z) : IEquatable<Vector3>, IFormattable
 {
     public const float kEpsilon = 1E-05f;
     public const float kEpsilonNormalSqrt = 1E-15f;
@@ -11,16 +11,9 @@ public struct Vector3 : IEquatable<Vector3>, IFormattable
     // Square of the distance below which == regards two vectors as equal.
     internal const float EqualitySquared = kEpsilon * kEpsilon;
 
-    public float x;
-    public float y;
-    public float z;
-
-    public Vector3(float x, float y, float z)
-    {
-        this.x = x;
-        this.y = y;
-        this.z = z;
-    }
+    public float x = x;
+    public float y = y;
+    public float z = z;
 
     public Vector3(float x, float y) : this(x, y, 0) { }
 

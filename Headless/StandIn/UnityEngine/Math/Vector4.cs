@@ -3,20 +3,12 @@ using System.Globalization;
 
 namespace UnityEngine;
 
-public struct Vector4 : IEquatable<Vector4>, IFormattable
+public struct Vector4(float x, float y, float z, float w) : IEquatable<Vector4>, IFormattable
 {
-    public float x;
-    public float y;
-    public float z;
-    public float w;
-
-    public Vector4(float x, float y, float z, float w)
-    {
-        this.x = x;
-        this.y = y;
-        this.z = z;
-        this.w = w;
-    }
+    public float x = x;
+    public float y = y;
+    public float z = z;
+    public float w = w;
 
     public readonly float sqrMagnitude => Dot(this, this);
 

@@ -1,16 +1,10 @@
 namespace UnityEngine;
 
 /// <summary>Pose of an object in the world, stored while its parent changes.</summary>
-readonly struct WorldPlace
+readonly struct WorldPlace(Transform of)
 {
-    readonly Matrix4x4 _matrix;
-    readonly Quaternion _rotation;
-
-    internal WorldPlace(Transform of)
-    {
-        _matrix = of.localToWorldMatrix;
-        _rotation = of.rotation;
-    }
+    readonly Matrix4x4 _matrix = of.localToWorldMatrix;
+    readonly Quaternion _rotation = of.rotation;
 
     /// <summary>Restores position, rotation and scale. The scale is approximate if the new parent would require a skew.</summary>
     internal void Restore(Transform to)

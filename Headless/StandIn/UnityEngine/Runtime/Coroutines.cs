@@ -5,12 +5,9 @@ using System.Collections.Generic;
 namespace UnityEngine;
 
 /// <summary>Runs the coroutines that scripts have started.</summary>
-sealed class Coroutines
+sealed class Coroutines(World world)
 {
-    readonly World _world;
     readonly List<Coroutine> _running = new();
-
-    internal Coroutines(World world) => _world = world;
 
     internal int Count => _running.Count;
 
@@ -48,7 +45,7 @@ sealed class Coroutines
         for (var i = 0; i < count; i++)
         {
             var routine = _running[i];
-            if (!routine.Ended && routine.IsDue(_world.Clock.Frame, endOfFrame)) Continue(routine);
+            if (!routine.Ended && routine.IsDue(world.Clock.Frame, endOfFrame)) Continue(routine);
         }
 
         for (var i = _running.Count - 1; i >= 0; i--)
@@ -61,7 +58,7 @@ sealed class Coroutines
     {
         try
         {
-            if (routine.MoveNext(_world.Clock.Frame)) return;
+            if (routine.MoveNext(world.Clock.Frame)) return;
         }
         catch (Exception e)
         {

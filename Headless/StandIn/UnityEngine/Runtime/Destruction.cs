@@ -3,19 +3,16 @@ using System.Collections.Generic;
 namespace UnityEngine;
 
 /// <summary>Destroys objects: immediately, or at two points of a frame, before the rendering and at the end of the frame.</summary>
-sealed class Destruction
+sealed class Destruction(World world)
 {
-    readonly World _world;
     readonly List<Object> _waiting = new();
     readonly HashSet<Object> _ending = new();
-
-    internal Destruction(World world) => _world = world;
 
     internal void Later(Object what)
     {
         if (!MayEnd(what, false)) return;
 
-        if (!_world.IsPlaying)
+        if (!world.IsPlaying)
         {
             Debug.LogError(
                 "Destroy may not be called from edit mode! Use DestroyImmediate instead.\n" +

@@ -3,13 +3,11 @@ using System.Collections.Generic;
 namespace UnityEngine;
 
 /// <summary>The root objects of a scene, in order.</summary>
-sealed class SceneContent
+sealed class SceneContent(int handle)
 {
     readonly List<GameObject> _roots = new();
 
-    internal SceneContent(int handle) => Handle = handle;
-
-    internal int Handle { get; }
+    internal int Handle { get; } = handle;
     internal bool IsLoaded { get; set; } = true;
     internal IReadOnlyList<GameObject> Roots => _roots;
 

@@ -7,21 +7,15 @@ using Nowpose.UnityPlayer.Assets.Yaml;
 namespace Nowpose.UnityPlayer.Assets.Files;
 
 /// <summary>Reads and parses the files of a library, each file once.</summary>
-sealed class AssetFiles
+sealed class AssetFiles(AssetIndex index)
 {
     readonly Dictionary<string, IReadOnlyList<UnityDocument>> _documents = new Dictionary<string, IReadOnlyList<UnityDocument>>();
     readonly Dictionary<string, ObjectFile> _hierarchies = new Dictionary<string, ObjectFile>();
     readonly Dictionary<string, ShaderDeclaration> _shaders = new Dictionary<string, ShaderDeclaration>();
 
-    public AssetFiles(AssetIndex index)
-    {
-        Index = index;
-        Scripts = new ScriptTypes(index);
-    }
+    public AssetIndex Index { get; } = index;
 
-    public AssetIndex Index { get; }
-
-    public ScriptTypes Scripts { get; }
+    public ScriptTypes Scripts { get; } = new ScriptTypes(index);
 
     public IReadOnlyList<UnityDocument> Documents(AssetFile file)
     {

@@ -12,17 +12,15 @@ namespace Nowpose.UnityPlayer.Assets.Files;
 /// Finds the class of a script file. The class has the name of the file. Its assembly has the name of the nearest assembly definition in the folders
 /// above the file. If there is none, any assembly may contain the class.
 /// </summary>
-sealed class ScriptTypes
+sealed class ScriptTypes(AssetIndex index)
 {
-    readonly ILookup<string, AssetFile> _scripts;
-    readonly Dictionary<string, string> _assemblyOfFolder;
-    readonly ConcurrentDictionary<string, Type> _types = new ConcurrentDictionary<string, Type>();
+    readonly ILookup<string, AssetFile> _scripts =
+        index.Files.Where(f => f.Extension == ".cs").ToLookup(f => f.Name, StringComparer.Ordinal);
 
-    public ScriptTypes(AssetIndex index)
-    {
-        _scripts = index.Files.Where(f => f.Extension == ".cs").ToLookup(f => f.Name, StringComparer.Ordinal);
-        _assemblyOfFolder = index.Files.Where(f => f.Extension == ".asmdef").ToDictionary(f => FolderOf(f.Path), f => f.Name);
-    }
+    readonly Dictionary<string, string> _assemblyOfFolder =
+        index.Files.Where(f => f.Extension == ".asmdef").ToDictionary(f => FolderOf(f.Path), f => f.Name);
+
+    readonly ConcurrentDictionary<string, Type> _types = new ConcurrentDictionary<string, Type>();
 
     /// <summary>Returns the class of a script file.</summary>
     /// <exception cref="AssetException">The assembly or the class does not exist, or Unity would not find the class.</exception>

@@ -15,20 +15,10 @@ namespace Nowpose.UnityPlayer.Assets.Loading;
 /// Creates the objects of a prefab or scene. They are not in a scene yet, and their scripts have not received Awake. First creates all objects
 /// with their components and parents; then sets the fields, which may refer to any of these objects.
 /// </summary>
-sealed class HierarchyBuilder
+sealed class HierarchyBuilder(LoadedAssets assets, ObjectFile file, PrefabInstance whole)
 {
-    readonly LoadedAssets _assets;
-    readonly ObjectFile _file;
-    readonly PrefabInstance _whole;
     readonly Dictionary<long, Object> _objects = new Dictionary<long, Object>();
     readonly Dictionary<long, ObjectClass> _classes = new Dictionary<long, ObjectClass>();
-
-    HierarchyBuilder(LoadedAssets assets, ObjectFile file, PrefabInstance whole)
-    {
-        _assets = assets;
-        _file = file;
-        _whole = whole;
-    }
 
     /// <summary>The created objects by fileID.</summary>
     public IReadOnlyDictionary<long, Object> Objects => _objects;
@@ -51,9 +41,9 @@ sealed class HierarchyBuilder
         return builder;
     }
 
-    IEnumerable<FileObject> GameObjects => _file.Objects.Where(o => o.ClassName == "GameObject");
+    IEnumerable<FileObject> GameObjects => file.Objects.Where(o => o.ClassName == "GameObject");
 
-    IEnumerable<FileObject> Transforms => _file.Objects.Where(o => o.IsTransform);
+    IEnumerable<FileObject> Transforms => file.Objects.Where(o => o.IsTransform);
 
     void MakeObjects()
     {
@@ -64,7 +54,7 @@ sealed class HierarchyBuilder
             var components = described.Place.In("m_Component").Sequence(Nodes.Find(described.Fields, "m_Component")).Children;
             for (var i = 0; i < components.Count; i++) MakeComponent(ComponentAt(described, components[i]), made, isFirst: i == 0);
         }
-        foreach (var described in _file.Objects.Where(o => !_objects.ContainsKey(o.FileId)))
+        foreach (var described in file.Objects.Where(o => !_objects.ContainsKey(o.FileId)))
             throw described.Place.Error(
                 AssetFault.Hierarchy, "is a component that no GameObject lists, or has a class that the stand-in does not support");
     }
@@ -74,7 +64,7 @@ sealed class HierarchyBuilder
         var place = owner.Place.In("m_Component");
         if (!AssetReference.TryRead(Nodes.Find(place.Mapping(entry), "component"), out var reference) || reference.Guid != null)
             throw place.Error(AssetFault.Kind, "has to be a list of - component: {fileID: …}");
-        var component = _file.Find(reference.FileId)
+        var component = file.Find(reference.FileId)
             ?? throw place.Error(AssetFault.MissingObject, "the file has no object " + Numbers.Write(reference.FileId));
         if (component.Reference("m_GameObject").FileId != owner.FileId)
         {
@@ -90,7 +80,7 @@ sealed class HierarchyBuilder
         if (isFirst != described.IsTransform)
             throw described.Place.Error(AssetFault.Hierarchy, "a GameObject must have exactly one Transform, as its first component");
         var known = described.ClassName == ScriptClass.ClassName
-            ? ScriptClass.Of(_assets.ScriptAt(described, typeof(MonoBehaviour)))
+            ? ScriptClass.Of(assets.ScriptAt(described, typeof(MonoBehaviour)))
             : EngineClasses.Find(described.ClassId, described.ClassName)
                 ?? throw described.Place.Error(AssetFault.Unsupported, "the stand-in does not support class "
                     + described.ClassName + " with number " + Numbers.Write(described.ClassId));
@@ -103,7 +93,7 @@ sealed class HierarchyBuilder
     {
         _objects.Add(described.FileId, made);
         _classes.Add(described.FileId, known);
-        if (_whole != null) PrefabOrigin.Set(made, new PrefabLink(_whole, described.FileId));
+        if (whole != null) PrefabOrigin.Set(made, new PrefabLink(whole, described.FileId));
         else if (described.Link != null) PrefabOrigin.Set(made, described.Link);
     }
 
@@ -120,7 +110,7 @@ sealed class HierarchyBuilder
         }
         Roots = roots.OrderBy(r => r.Order).Select(r => r.Root).ToList();
         var reached = Roots.Sum(r => r.GetComponentsInChildren<Transform>(true).Length);
-        if (reached != Transforms.Count()) throw new AssetException(AssetFault.Hierarchy, _file.Name + ": some objects are their own ancestors");
+        if (reached != Transforms.Count()) throw new AssetException(AssetFault.Hierarchy, file.Name + ": some objects are their own ancestors");
     }
 
     void Adopt(FileObject father, FileObject child)
@@ -138,12 +128,10 @@ sealed class HierarchyBuilder
         return children.Distinct().Count() == children.Count ? children : throw place.Error(AssetFault.Duplicate, "lists a child twice");
     }
 
-    FileObject TransformAt(long fileId, FileObject from)
-    {
-        return _file.Find(fileId) is { IsTransform: true } found
+    FileObject TransformAt(long fileId, FileObject from) =>
+        file.Find(fileId) is { IsTransform: true } found
             ? found
             : throw from.Place.Error(AssetFault.MissingObject, "&" + Numbers.Write(fileId) + " is not a Transform of this file");
-    }
 
     static int RootOrder(FileObject root)
     {
@@ -155,8 +143,8 @@ sealed class HierarchyBuilder
 
     void ReadFields()
     {
-        var references = new FileReferences(_assets, _objects, Roots);
-        foreach (var described in _file.Objects)
+        var references = new FileReferences(assets, _objects, Roots);
+        foreach (var described in file.Objects)
         {
             var made = _objects[described.FileId];
             var known = _classes[described.FileId];

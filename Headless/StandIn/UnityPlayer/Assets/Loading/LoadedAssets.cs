@@ -12,17 +12,14 @@ using Object = UnityEngine.Object;
 namespace Nowpose.UnityPlayer.Assets.Loading;
 
 /// <summary>Loads the assets of a library as objects of one world. Loads each asset when it is first referenced.</summary>
-sealed class LoadedAssets
+sealed class LoadedAssets(AssetFiles files)
 {
     const long ScriptFileId = 11500000;
     const long ShaderFileId = 4800000;
     const long TextFileId = 4900000;
 
-    readonly AssetFiles _files;
     readonly Dictionary<string, IReadOnlyDictionary<long, Object>> _byGuid = new Dictionary<string, IReadOnlyDictionary<long, Object>>();
     readonly Dictionary<Object, AssetReference> _references = new Dictionary<Object, AssetReference>();
-
-    public LoadedAssets(AssetFiles files) => _files = files;
 
     /// <summary>Returns the main object of an asset. The main object of a prefab is its root.</summary>
     public Object Main(AssetFile file)
@@ -36,23 +33,21 @@ sealed class LoadedAssets
         if (BuiltInAssets.Holds(reference))
             return BuiltInAssets.Find(reference)
                 ?? throw place.Error(AssetFault.MissingObject, "the stand-in has no built-in object with " + reference);
-        var file = _files.Index.ByGuid(reference.Guid) ?? throw place.Error(AssetFault.MissingAsset, "no asset has the GUID " + reference.Guid);
+        var file = files.Index.ByGuid(reference.Guid) ?? throw place.Error(AssetFault.MissingAsset, "no asset has the GUID " + reference.Guid);
         var type = TypeOf(file)
             ?? throw place.Error(AssetFault.Reference, "refers to an object in " + file.Path + ", whose fileIDs only Unity can resolve");
         if (reference.Type != type) throw place.Error(AssetFault.Reference, "a reference to " + file.Path + " has type: " + Numbers.Write(type));
         var objects = Load(file, place);
-        var fileId = file.Extension == ".prefab" ? _files.Hierarchy(file).Find(reference.FileId)?.FileId ?? 0 : reference.FileId;
+        var fileId = file.Extension == ".prefab" ? files.Hierarchy(file).Find(reference.FileId)?.FileId ?? 0 : reference.FileId;
         return objects.TryGetValue(fileId, out var found)
             ? found
             : throw place.Error(AssetFault.MissingObject, file.Path + " has no object " + Numbers.Write(reference.FileId));
     }
 
-    public AssetReference ReferenceTo(Object target, Place place)
-    {
-        return BuiltInAssets.TryFind(target, out var reference) || _references.TryGetValue(target, out reference)
+    public AssetReference ReferenceTo(Object target, Place place) =>
+        BuiltInAssets.TryFind(target, out var reference) || _references.TryGetValue(target, out reference)
             ? reference
             : throw place.Error(AssetFault.Reference, "refers to " + target + ", which is neither in this file nor an asset");
-    }
 
     /// <summary>Returns the class of a component or ScriptableObject.</summary>
     public Type ScriptAt(FileObject described, Type baseType)
@@ -61,26 +56,26 @@ sealed class LoadedAssets
         var place = described.Place.In(ScriptClass.ScriptField);
         if (reference.FileId != ScriptFileId || reference.Guid == null || reference.Type != AssetReference.Imported)
             throw place.Error(AssetFault.Kind, "has to be {fileID: 11500000, guid: …, type: 3}");
-        var script = _files.Index.ByGuid(reference.Guid);
+        var script = files.Index.ByGuid(reference.Guid);
         if (script?.Extension != ".cs") throw place.Error(AssetFault.MissingAsset, "no script has the GUID " + reference.Guid);
-        return _files.Scripts.Of(script, baseType, place);
+        return files.Scripts.Of(script, baseType, place);
     }
 
     public AssetReference ScriptOf(Type type, Place place)
     {
-        var file = _files.Scripts.FileOf(type, place);
+        var file = files.Scripts.FileOf(type, place);
         return new AssetReference(ScriptFileId, file.Guid, AssetReference.Imported);
     }
 
     /// <summary>Creates the objects of a scene. Each call creates new objects.</summary>
-    public HierarchyBuilder Instantiate(AssetFile file) => HierarchyBuilder.Build(this, _files.Hierarchy(file));
+    public HierarchyBuilder Instantiate(AssetFile file) => HierarchyBuilder.Build(this, files.Hierarchy(file));
 
     /// <summary>Creates an instance of a prefab. It can be saved as a prefab instance.</summary>
     public GameObject InstantiatePrefab(GameObject prefab)
     {
-        if (!_references.TryGetValue(prefab, out var reference) || _files.Index.ByGuid(reference.Guid) is not { Extension: ".prefab" } file)
+        if (!_references.TryGetValue(prefab, out var reference) || files.Index.ByGuid(reference.Guid) is not { Extension: ".prefab" } file)
             throw new AssetException(AssetFault.MissingAsset, prefab + " is not a prefab of this library");
-        var source = _files.Hierarchy(file);
+        var source = files.Hierarchy(file);
         return HierarchyBuilder.Build(this, source, new PrefabInstance(null, 0, file.Guid, source)).Roots[0];
     }
 
@@ -117,7 +112,7 @@ sealed class LoadedAssets
         switch (file.Extension)
         {
             case ".prefab":
-                HierarchyBuilder.Build(this, _files.Hierarchy(file), made: b => Add(file, b.Objects));
+                HierarchyBuilder.Build(this, files.Hierarchy(file), made: b => Add(file, b.Objects));
                 break;
             case ".asset":
                 LoadAlone(file, ScriptClass.AssetFileId, NewScriptable, made => ((ScriptableObject)made).Wake());
@@ -126,7 +121,7 @@ sealed class LoadedAssets
                 LoadAlone(file, MaterialClass.FileId, _ => (MaterialClass.Class, new Material((Shader)null)), _ => { });
                 break;
             case ".shader":
-                var shader = MaterialClass.NewShader(_files.Shader(file));
+                var shader = MaterialClass.NewShader(files.Shader(file));
                 World.Current.Shaders[shader.name] = shader;
                 Add(file, ShaderFileId, shader);
                 break;
@@ -139,7 +134,7 @@ sealed class LoadedAssets
     /// <summary>Loads a file that contains one object.</summary>
     void LoadAlone(AssetFile file, long fileId, Func<FileObject, (ObjectClass Class, Object Made)> make, Action<Object> wake)
     {
-        var documents = _files.Documents(file);
+        var documents = files.Documents(file);
         if (documents.Count != 1 || documents[0].FileId != fileId)
             throw new AssetException(AssetFault.Document, file.Path + ": must contain one object, &" + Numbers.Write(fileId));
         var described = new FileObject(documents[0], file.Path);
@@ -174,13 +169,10 @@ sealed class LoadedAssets
     /// <summary>
     /// Returns the type number that references to an asset contain; null if only Unity can compute the fileIDs of the asset's objects.
     /// </summary>
-    static int? TypeOf(AssetFile file)
+    static int? TypeOf(AssetFile file) => file.Extension switch
     {
-        return file.Extension switch
-        {
-            ".asset" or ".mat" => AssetReference.Native,
-            ".prefab" or ".shader" => AssetReference.Imported,
-            _ => file.Importer == "TextScriptImporter" ? AssetReference.Imported : (int?)null,
-        };
-    }
+        ".asset" or ".mat" => AssetReference.Native,
+        ".prefab" or ".shader" => AssetReference.Imported,
+        _ => file.Importer == "TextScriptImporter" ? AssetReference.Imported : (int?)null,
+    };
 }

@@ -5,16 +5,6 @@ using UnityEngine;
 namespace Nowpose.UnityPlayer.Assets.Loading;
 
 /// <summary>The objects and settings of a scene file. The objects have not received Awake and are not in a scene yet.</summary>
-sealed class LoadedScene
-{
-    public LoadedScene(IReadOnlyList<GameObject> roots, IReadOnlyList<UnityDocument> settings)
-    {
-        Roots = roots;
-        Settings = settings;
-    }
-
-    public IReadOnlyList<GameObject> Roots { get; }
-
-    /// <summary>Settings of the whole scene.</summary>
-    public IReadOnlyList<UnityDocument> Settings { get; }
-}
+/// <param name="Roots">Root objects of the scene in order.</param>
+/// <param name="Settings">Settings of the whole scene.</param>
+sealed record LoadedScene(IReadOnlyList<GameObject> Roots, IReadOnlyList<UnityDocument> Settings);

@@ -46,10 +46,8 @@ static class EngineClasses
     }
 
     static ObjectClass Component<T>(int id, params FieldSpec[] fields)
-        where T : Component
-    {
-        return new ObjectClass(id, typeof(T).Name, typeof(T), Headers.Component.Concat(fields.Select(f => f.Of(typeof(T)))).ToArray());
-    }
+        where T : Component =>
+        new ObjectClass(id, typeof(T).Name, typeof(T), Headers.Component.Concat(fields.Select(f => f.Of(typeof(T)))).ToArray());
 
     /// <summary>Returns the parameters of a line with the same width everywhere. The width itself is set while the scene plays.</summary>
     static YamlMappingNode LineParameters() => Nodes.Lines(
@@ -123,12 +121,8 @@ static class EngineClasses
     /// <summary>
     /// Specifies a field of a component: by a name (a serialised field of the stand-in), by a name and the only allowed value, or by a slot.
     /// </summary>
-    readonly struct FieldSpec
+    readonly struct FieldSpec(Func<Type, Slot> slotOf)
     {
-        readonly Func<Type, Slot> _slot;
-
-        FieldSpec(Func<Type, Slot> slot) => _slot = slot;
-
         public static implicit operator FieldSpec(string name) => new FieldSpec(type => Slot.Field(type, name));
 
         public static implicit operator FieldSpec((string Name, string Value) only) =>
@@ -136,6 +130,6 @@ static class EngineClasses
 
         public static implicit operator FieldSpec(Slot slot) => new FieldSpec(_ => slot);
 
-        public Slot Of(Type type) => _slot(type);
+        public Slot Of(Type type) => slotOf(type);
     }
 }

@@ -96,12 +96,10 @@ static class MaterialClass
                 ("m_Colors", WriteEach(declared.Colours, name => Colour.Write(material.GetColor(name), references, place))));
         }
 
-        static ShaderDeclaration DeclarationOf(Material material, Place place)
-        {
-            return material.shader != null && Declarations.TryGetValue(material.shader, out var found)
+        static ShaderDeclaration DeclarationOf(Material material, Place place) =>
+            material.shader != null && Declarations.TryGetValue(material.shader, out var found)
                 ? found
                 : throw place.Error(AssetFault.Unsupported, "the properties of its shader are not known here");
-        }
 
         /// <summary>Reads a list whose items are pairs of a property name and a value.</summary>
         static void ReadEach<T>(YamlNode node, IReadOnlyDictionary<string, T> declared, Place place, Action<string, YamlNode, Place> set)
@@ -114,9 +112,7 @@ static class MaterialClass
             }
         }
 
-        static YamlSequenceNode WriteEach<T>(IReadOnlyDictionary<string, T> declared, Func<string, YamlNode> value)
-        {
-            return new YamlSequenceNode(declared.Keys.OrderBy(n => n, StringComparer.Ordinal).Select(n => Nodes.Lines((n, value(n)))));
-        }
+        static YamlSequenceNode WriteEach<T>(IReadOnlyDictionary<string, T> declared, Func<string, YamlNode> value) =>
+            new YamlSequenceNode(declared.Keys.OrderBy(n => n, StringComparer.Ordinal).Select(n => Nodes.Lines((n, value(n)))));
     }
 }

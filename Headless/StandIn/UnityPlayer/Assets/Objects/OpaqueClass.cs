@@ -7,20 +7,11 @@ using Object = UnityEngine.Object;
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
 /// <summary>Class of an <see cref="OpaqueComponent"/>.</summary>
-sealed class OpaqueClass : ObjectClass
+sealed class OpaqueClass(int id, string name) : ObjectClass(id, name, typeof(OpaqueComponent), Headers.Component.ToArray())
 {
-    public OpaqueClass(int id, string name)
-        : base(id, name, typeof(OpaqueComponent), Headers.Component.ToArray())
-    {
-    }
-
-    protected override void ReadOther(string name, YamlNode node, Object target, FileReferences references, Place place)
-    {
+    protected override void ReadOther(string name, YamlNode node, Object target, FileReferences references, Place place) =>
         ((OpaqueComponent)target).Fields.Add(name, node);
-    }
 
-    protected override IEnumerable<(string Name, YamlNode Value)> WriteOthers(Object source)
-    {
-        return ((OpaqueComponent)source).Fields.Children.Select(f => (((YamlScalarNode)f.Key).Value, f.Value));
-    }
+    protected override IEnumerable<(string Name, YamlNode Value)> WriteOthers(Object source) =>
+        ((OpaqueComponent)source).Fields.Children.Select(f => (((YamlScalarNode)f.Key).Value, f.Value));
 }

@@ -23,10 +23,7 @@ sealed class ScriptClass : ObjectClass
 
     static readonly ConcurrentDictionary<Type, ScriptClass> Known = new ConcurrentDictionary<Type, ScriptClass>();
 
-    ScriptClass(Type type)
-        : base(ClassId, ClassName, type, Slots(type).ToArray())
-    {
-    }
+    ScriptClass(Type type) : base(ClassId, ClassName, type, Slots(type).ToArray()) { }
 
     /// <summary>Returns the class for a type.</summary>
     /// <exception cref="AssetException">The type has a field whose type is not supported.</exception>
@@ -56,10 +53,8 @@ sealed class ScriptClass : ObjectClass
             .Concat(OwnFields(type));
     }
 
-    static IEnumerable<Slot> OwnFields(Type type)
-    {
-        return SerializedFields.Of(type).Where(f => f.DeclaringType.Assembly != typeof(Object).Assembly).Select(f => OwnField(type, f.Name));
-    }
+    static IEnumerable<Slot> OwnFields(Type type) =>
+        SerializedFields.Of(type).Where(f => f.DeclaringType.Assembly != typeof(Object).Assembly).Select(f => OwnField(type, f.Name));
 
     static Slot OwnField(Type type, string name)
     {

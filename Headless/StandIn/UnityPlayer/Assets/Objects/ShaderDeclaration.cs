@@ -8,7 +8,12 @@ using UnityEngine;
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
 /// <summary>Reads the declarations in the source of a shader: its name, its tags, and the properties that a material can set.</summary>
-sealed class ShaderDeclaration
+/// <param name="Name">Name of the shader.</param>
+/// <param name="Tags">Tags of the last SubShader, which is the SubShader for the built-in pipeline.</param>
+/// <param name="Floats">Number properties with their default values.</param>
+/// <param name="Colours">Colour and vector properties with their default values.</param>
+sealed record ShaderDeclaration(
+    string Name, IReadOnlyDictionary<string, string> Tags, IReadOnlyDictionary<string, float> Floats, IReadOnlyDictionary<string, Color> Colours)
 {
     static readonly Regex Heads = new Regex("^\\s*Shader\\s+\"([^\"]+)\"", RegexOptions.Multiline | RegexOptions.CultureInvariant);
     static readonly Regex Blocks = new Regex("\\bProperties\\s*\\{(.*?)\\n\\s*\\}", RegexOptions.Singleline | RegexOptions.CultureInvariant);
@@ -19,26 +24,6 @@ sealed class ShaderDeclaration
 
     static readonly Regex TagBlocks = new Regex("\\bTags\\s*\\{([^}]*)\\}", RegexOptions.CultureInvariant);
     static readonly Regex Tag = new Regex("\"([^\"]+)\"\\s*=\\s*\"([^\"]+)\"", RegexOptions.CultureInvariant);
-
-    ShaderDeclaration(
-        string name, IReadOnlyDictionary<string, string> tags, IReadOnlyDictionary<string, float> floats, IReadOnlyDictionary<string, Color> colours)
-    {
-        Name = name;
-        Tags = tags;
-        Floats = floats;
-        Colours = colours;
-    }
-
-    public string Name { get; }
-
-    /// <summary>Tags of the last SubShader, which is the SubShader for the built-in pipeline.</summary>
-    public IReadOnlyDictionary<string, string> Tags { get; }
-
-    /// <summary>Number properties with their default values.</summary>
-    public IReadOnlyDictionary<string, float> Floats { get; }
-
-    /// <summary>Colour and vector properties with their default values.</summary>
-    public IReadOnlyDictionary<string, Color> Colours { get; }
 
     /// <summary>Reads the source of a shader. Ignores texture properties, because no material of the package has a texture.</summary>
     /// <exception cref="AssetException">The text is not a shader.</exception>
@@ -70,10 +55,8 @@ sealed class ShaderDeclaration
             : throw new AssetException(AssetFault.Value, file + ": property " + name + ": its default needs four numbers");
     }
 
-    static float Number(string text, string name, string file)
-    {
-        return Numbers.TryRead(text, out float value)
+    static float Number(string text, string name, string file) =>
+        Numbers.TryRead(text, out float value)
             ? value
             : throw new AssetException(AssetFault.Value, file + ": property " + name + ": \"" + text + "\" is not a number");
-    }
 }

@@ -7,19 +7,10 @@ using Object = UnityEngine.Object;
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
 /// <summary>One field of a class in files, with the functions that read and write it.</summary>
-sealed class Slot
+sealed class Slot(
+    string name, Action<Object, YamlNode, FileReferences, Place> read, Func<Object, FileReferences, Place, YamlNode> write)
 {
-    readonly Action<Object, YamlNode, FileReferences, Place> _read;
-    readonly Func<Object, FileReferences, Place, YamlNode> _write;
-
-    Slot(string name, Action<Object, YamlNode, FileReferences, Place> read, Func<Object, FileReferences, Place, YamlNode> write)
-    {
-        Name = name;
-        _read = read;
-        _write = write;
-    }
-
-    public string Name { get; }
+    public string Name { get; } = name;
 
     /// <summary>Creates a field that the stand-in does not use. In files, it must have the given value.</summary>
     public static Slot Constant(string name, YamlNode value)
@@ -68,10 +59,8 @@ sealed class Slot
 
     /// <summary>Creates a field that only Unity's editor uses. It is written but not read.</summary>
     public static Slot Hint<TObject>(string name, Func<TObject, FileReferences, Place, YamlNode> write)
-        where TObject : Object
-    {
-        return new Slot(name, (_, _, _, _) => { }, (target, references, place) => write((TObject)target, references, place));
-    }
+        where TObject : Object =>
+        new Slot(name, (_, _, _, _) => { }, (target, references, place) => write((TObject)target, references, place));
 
     /// <summary>Creates a field for a serialised field of the object's type.</summary>
     public static Slot Field(Type type, string name, IValueFormat format = null)
@@ -84,7 +73,7 @@ sealed class Slot
             (target, references, place) => format.Write(field.GetValue(target), references, place));
     }
 
-    public void Read(Object target, YamlNode node, FileReferences references, Place place) => _read(target, node, references, place.In(Name));
+    public void Read(Object target, YamlNode node, FileReferences references, Place place) => read(target, node, references, place.In(Name));
 
-    public YamlNode Write(Object source, FileReferences references, Place place) => _write(source, references, place.In(Name));
+    public YamlNode Write(Object source, FileReferences references, Place place) => write(source, references, place.In(Name));
 }

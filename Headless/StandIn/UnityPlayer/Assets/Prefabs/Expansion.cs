@@ -8,21 +8,13 @@ using YamlDotNet.RepresentationModel;
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
 /// <summary>Replaces the prefab instances in a file with their objects, and updates all references to these objects.</summary>
-sealed class Expansion
+sealed class Expansion(string file, Func<string, ObjectFile> prefabAt)
 {
-    readonly string _file;
-    readonly Func<string, ObjectFile> _prefabAt;
     readonly Dictionary<long, FileObject> _byId = new Dictionary<long, FileObject>();
     readonly Dictionary<long, UnityDocument> _strippedDocuments = new Dictionary<long, UnityDocument>();
     readonly List<(InstanceDocument Document, PrefabInstance Instance)> _instances = new List<(InstanceDocument, PrefabInstance)>();
     readonly Dictionary<long, long> _stripped = new Dictionary<long, long>();
     readonly List<FileObject> _objects = new List<FileObject>();
-
-    public Expansion(string file, Func<string, ObjectFile> prefabAt)
-    {
-        _file = file;
-        _prefabAt = prefabAt;
-    }
 
     public IEnumerable<FileObject> Objects => _objects.Where(o => _byId.ContainsKey(o.FileId));
 
@@ -32,8 +24,8 @@ sealed class Expansion
     public void Add(UnityDocument document)
     {
         if (document.IsStripped) _strippedDocuments.Add(document.FileId, document);
-        else if (document.ClassId == PrefabInstance.ClassId) Add(new InstanceDocument(document, _file));
-        else Add(new FileObject(document, _file));
+        else if (document.ClassId == PrefabInstance.ClassId) Add(new InstanceDocument(document, file));
+        else Add(new FileObject(document, file));
     }
 
     /// <summary>Applies the changes of the instances and updates the references. Call this after all documents were added.</summary>
@@ -54,14 +46,14 @@ sealed class Expansion
 
     void Add(InstanceDocument document)
     {
-        var instance = new PrefabInstance(_file, document.FileId, document.SourceGuid, document.SourcePrefab(_prefabAt));
+        var instance = new PrefabInstance(file, document.FileId, document.SourceGuid, document.SourcePrefab(prefabAt));
         _instances.Add((document, instance));
         foreach (var source in instance.Source.Objects) Add(source.In(instance));
     }
 
     long MeaningOf(UnityDocument document)
     {
-        var stripped = new FileObject(document, _file);
+        var stripped = new FileObject(document, file);
         var source = stripped.Reference("m_CorrespondingSourceObject");
         var instance = _instances.Find(i => i.Instance.FileId == stripped.Reference("m_PrefabInstance").FileId).Instance
             ?? throw stripped.Place.In("m_PrefabInstance").Error(AssetFault.Reference, "is not a prefab instance of this file");

@@ -5,36 +5,24 @@ using YamlDotNet.RepresentationModel;
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
 /// <summary>One object of a file after the prefab instances were replaced with their objects. It has its own copy of the fields.</summary>
-sealed class FileObject
+sealed class FileObject(int classId, string className, long fileId, YamlMappingNode fields, string file, PrefabLink link)
 {
     public FileObject(UnityDocument document, string file)
-        : this(document.ClassId, document.ClassName, document.FileId, (YamlMappingNode)LocalReferences.Copy(document.Fields), file, null)
-    {
-    }
+        : this(document.ClassId, document.ClassName, document.FileId, (YamlMappingNode)LocalReferences.Copy(document.Fields), file, null) { }
 
-    FileObject(int classId, string className, long fileId, YamlMappingNode fields, string file, PrefabLink link)
-    {
-        ClassId = classId;
-        ClassName = className;
-        FileId = fileId;
-        Fields = fields;
-        Link = link;
-        File = file;
-    }
+    public string File { get; } = file;
 
-    public string File { get; }
-
-    public int ClassId { get; }
-    public string ClassName { get; }
+    public int ClassId { get; } = classId;
+    public string ClassName { get; } = className;
 
     /// <summary>Whether the object is a Transform or a RectTransform.</summary>
     public bool IsTransform => ClassName is "Transform" or "RectTransform";
 
-    public long FileId { get; }
-    public YamlMappingNode Fields { get; }
+    public long FileId { get; } = fileId;
+    public YamlMappingNode Fields { get; } = fields;
 
     /// <summary>The prefab object that this object instantiates; null for an object of the file itself.</summary>
-    public PrefabLink Link { get; }
+    public PrefabLink Link { get; } = link;
 
     public Place Place => PlaceAs(ClassName);
 

@@ -122,10 +122,8 @@ sealed class InstanceDocument
         return found;
     }
 
-    IList<YamlNode> Items(string list)
-    {
-        return Nodes.Find(_modification, list) is { } node ? _place.In(list).Sequence(node).Children : Array.Empty<YamlNode>();
-    }
+    IList<YamlNode> Items(string list) =>
+        Nodes.Find(_modification, list) is { } node ? _place.In(list).Sequence(node).Children : Array.Empty<YamlNode>();
 
     static void RequireOnly(YamlMappingNode mapping, Place place, params string[] known)
     {

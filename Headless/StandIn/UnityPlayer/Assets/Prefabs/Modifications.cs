@@ -19,15 +19,11 @@ static class Modifications
     /// <exception cref="AssetException">
     /// The objects have different fields, because the prefab was written with an older version of the class.
     /// </exception>
-    public static IEnumerable<Modification> Between(FileObject prefab, YamlMappingNode now)
-    {
-        return Between(Values(prefab.Fields), Values(now), "", prefab);
-    }
+    public static IEnumerable<Modification> Between(FileObject prefab, YamlMappingNode now) =>
+        Between(Values(prefab.Fields), Values(now), "", prefab);
 
-    static YamlMappingNode Values(YamlMappingNode fields)
-    {
-        return new YamlMappingNode(fields.Children.Where(f => !Structure.Contains(((YamlScalarNode)f.Key).Value)));
-    }
+    static YamlMappingNode Values(YamlMappingNode fields) =>
+        new YamlMappingNode(fields.Children.Where(f => !Structure.Contains(((YamlScalarNode)f.Key).Value)));
 
     static IEnumerable<Modification> Between(YamlNode before, YamlNode now, string path, FileObject prefab)
     {

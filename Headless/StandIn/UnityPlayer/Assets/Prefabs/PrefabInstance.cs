@@ -1,7 +1,7 @@
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
 /// <summary>An instance of a prefab in another file. The fileIDs of its objects are computed as in Unity.</summary>
-sealed class PrefabInstance
+sealed class PrefabInstance(string file, long fileId, string sourceGuid, ObjectFile source)
 {
     /// <summary>Class number of the document that contains the parent and the changes of an instance.</summary>
     public const int ClassId = 1001;
@@ -9,20 +9,12 @@ sealed class PrefabInstance
     /// <summary>FileID in references to a prefab as a whole.</summary>
     public const long PrefabFileId = 100100000;
 
-    public PrefabInstance(string file, long fileId, string sourceGuid, ObjectFile source)
-    {
-        File = file;
-        FileId = fileId;
-        SourceGuid = sourceGuid;
-        Source = source;
-    }
-
     /// <summary>Name of the file that contains the instance; null for an instance that was not read from a file.</summary>
-    public string File { get; }
+    public string File { get; } = file;
 
-    public long FileId { get; }
-    public string SourceGuid { get; }
-    public ObjectFile Source { get; }
+    public long FileId { get; } = fileId;
+    public string SourceGuid { get; } = sourceGuid;
+    public ObjectFile Source { get; } = source;
 
     /// <summary>Returns the fileID that an object of the prefab has in this file. Returns 0 (no object) for 0.</summary>
     public long Map(long sourceFileId) => sourceFileId == 0 ? 0 : (FileId ^ sourceFileId) & long.MaxValue;

@@ -12,20 +12,11 @@ namespace Nowpose.UnityPlayer.Assets.Saving;
 /// Writes a hierarchy as the documents of a prefab or scene. These documents are objects with all their fields, and prefab instances with their
 /// changes. This is the inverse of <see cref="HierarchyBuilder"/>.
 /// </summary>
-sealed class HierarchyWriter
+sealed class HierarchyWriter(string file, IReadOnlyDictionary<Object, long> given)
 {
-    readonly string _file;
     readonly FileIds _ids = new FileIds();
     readonly List<SavedObject> _saved = new List<SavedObject>();
     readonly Dictionary<PrefabInstance, PrefabInstance> _instances = new Dictionary<PrefabInstance, PrefabInstance>();
-    readonly IReadOnlyDictionary<Object, long> _given;
-
-    HierarchyWriter(string file, IReadOnlyDictionary<Object, long> given)
-    {
-        _file = file;
-        _given = given;
-    }
-
     /// <summary>Writes a hierarchy.</summary>
     /// <param name="assets">Assets to which the hierarchy may refer.</param>
     /// <param name="roots">Root objects; a prefab has one.</param>
@@ -54,13 +45,13 @@ sealed class HierarchyWriter
         var origin = PrefabOrigin.Of(target);
         if (origin == null)
         {
-            _saved.Add(new SavedObject(target, _given.TryGetValue(target, out var fileId) ? fileId : _ids.Next(KeyOf(target, owner)), null));
+            _saved.Add(new SavedObject(target, given.TryGetValue(target, out var fileId) ? fileId : _ids.Next(KeyOf(target, owner)), null));
             return;
         }
         if (!_instances.TryGetValue(origin.Instance, out var instance))
         {
             var id = _ids.Next("PrefabInstance " + FileIds.PathOf(owner));
-            _instances.Add(origin.Instance, instance = new PrefabInstance(_file, id, origin.Instance.SourceGuid, origin.Instance.Source));
+            _instances.Add(origin.Instance, instance = new PrefabInstance(file, id, origin.Instance.SourceGuid, origin.Instance.Source));
         }
         _saved.Add(new SavedObject(target, instance.Map(origin.SourceFileId), new PrefabLink(instance, origin.SourceFileId)));
     }

@@ -8,33 +8,22 @@ using YamlDotNet.RepresentationModel;
 namespace Nowpose.UnityPlayer.Assets.Saving;
 
 /// <summary>An object that is written to a file.</summary>
-sealed class SavedObject
+sealed class SavedObject(Object target, long fileId, PrefabLink link)
 {
-    public SavedObject(Object target, long fileId, PrefabLink link)
-    {
-        Target = target;
-        FileId = fileId;
-        Link = link;
-        Class = EngineClasses.Of(target) ?? ScriptClass.Of(target.GetType());
-        ClassName = target is OpaqueComponent opaque ? opaque.ClassName : Class.Name;
-    }
-
-    public Object Target { get; }
-    public long FileId { get; }
+    public Object Target { get; } = target;
+    public long FileId { get; } = fileId;
 
     /// <summary>The prefab object that this object instantiates; null for an object of the file itself.</summary>
-    public PrefabLink Link { get; }
+    public PrefabLink Link { get; } = link;
 
-    public ObjectClass Class { get; }
-    public string ClassName { get; }
+    public ObjectClass Class { get; } = EngineClasses.Of(target) ?? ScriptClass.Of(target.GetType());
+
+    public string ClassName => Target is OpaqueComponent opaque ? opaque.ClassName : Class.Name;
 
     /// <summary>Fields of the object; null before <see cref="Write"/> has been called.</summary>
     public YamlMappingNode Fields { get; private set; }
 
-    public void Write(FileReferences references)
-    {
-        Fields = Class.Write(Target, references, new Place(Target.name + " " + Class.Type.Name));
-    }
+    public void Write(FileReferences references) => Fields = Class.Write(Target, references, new Place(Target.name + " " + Class.Type.Name));
 
     public UnityDocument Document() => new UnityDocument(Class.Id, ClassName, FileId, Fields);
 
@@ -51,7 +40,7 @@ sealed class SavedObject
             foreach (var name in new[] { "m_Enabled", "m_EditorHideFlags", ScriptClass.ScriptField, "m_Name", "m_EditorClassIdentifier" })
                 fields.Add(name, Nodes.Find(Fields, name));
         }
-        return new UnityDocument(Class.Id, ClassName, FileId, fields, isStripped: true);
+        return new UnityDocument(Class.Id, ClassName, FileId, fields, IsStripped: true);
     }
 
     /// <summary>Returns the reference to the prefab object that this object instantiates.</summary>

@@ -14,8 +14,6 @@ sealed class BitsFormat : IValueFormat
             : throw place.In("m_Bits").Error(AssetFault.Value, "\"" + text + "\" is not a set of 32 layers");
     }
 
-    public YamlNode Write(object value, FileReferences references, Place place)
-    {
-        return Nodes.Lines(("serializedVersion", Nodes.Number(2)), ("m_Bits", Nodes.Number(unchecked((uint)(int)value))));
-    }
+    public YamlNode Write(object value, FileReferences references, Place place) =>
+        Nodes.Lines(("serializedVersion", Nodes.Number(2)), ("m_Bits", Nodes.Number(unchecked((uint)(int)value))));
 }

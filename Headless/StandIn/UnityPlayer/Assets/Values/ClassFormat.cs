@@ -8,12 +8,8 @@ namespace Nowpose.UnityPlayer.Assets.Values;
 /// Format of a [Serializable] class or struct: its fields by name. The format does not support null. In its place, Unity writes an object with
 /// default values.
 /// </summary>
-sealed class ClassFormat : IValueFormat
+sealed class ClassFormat(Type type) : IValueFormat
 {
-    readonly Type _type;
-
-    public ClassFormat(Type type) => _type = type;
-
     public object Read(YamlNode node, object current, FileReferences references, Place place)
     {
         var value = current ?? New();
@@ -23,5 +19,5 @@ sealed class ClassFormat : IValueFormat
 
     public YamlNode Write(object value, FileReferences references, Place place) => FieldValues.Write(value ?? New(), references, place);
 
-    object New() => Activator.CreateInstance(_type, nonPublic: true);
+    object New() => Activator.CreateInstance(type, nonPublic: true);
 }

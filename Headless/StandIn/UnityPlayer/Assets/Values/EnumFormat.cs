@@ -6,24 +6,17 @@ using Nowpose.UnityPlayer.Assets.Yaml;
 namespace Nowpose.UnityPlayer.Assets.Values;
 
 /// <summary>Format of an enum: the number of a member. Other numbers are invalid, except sums of members if the enum has [Flags].</summary>
-sealed class EnumFormat : IValueFormat
+sealed class EnumFormat(Type type) : IValueFormat
 {
-    readonly Type _type;
-
-    public EnumFormat(Type type) => _type = type;
-
     public object Read(YamlNode node, object current, FileReferences references, Place place)
     {
         var text = place.Scalar(node);
-        if (!Numbers.TryRead(text, out long number)) throw place.Error(AssetFault.Value, "\"" + text + "\" is not a number of a " + _type.Name);
-        var value = Enum.ToObject(_type, number);
+        if (!Numbers.TryRead(text, out long number)) throw place.Error(AssetFault.Value, "\"" + text + "\" is not a number of a " + type.Name);
+        var value = Enum.ToObject(type, number);
         // If the value is not a member or a sum of members, ToString returns the number.
-        if (Numbers.TryRead(value.ToString(), out long _)) throw place.Error(AssetFault.Value, text + " is not a member of " + _type.Name);
+        if (Numbers.TryRead(value.ToString(), out long _)) throw place.Error(AssetFault.Value, text + " is not a member of " + type.Name);
         return value;
     }
 
-    public YamlNode Write(object value, FileReferences references, Place place)
-    {
-        return Nodes.Number(Convert.ToInt64(value, CultureInfo.InvariantCulture));
-    }
+    public YamlNode Write(object value, FileReferences references, Place place) => Nodes.Number(Convert.ToInt64(value, CultureInfo.InvariantCulture));
 }

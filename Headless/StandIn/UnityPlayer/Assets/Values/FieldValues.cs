@@ -24,10 +24,8 @@ static class FieldValues
         (target as ISerializationCallbackReceiver)?.OnAfterDeserialize();
     }
 
-    public static void Read(FieldInfo field, YamlNode node, object target, FileReferences references, Place place)
-    {
+    public static void Read(FieldInfo field, YamlNode node, object target, FileReferences references, Place place) =>
         field.SetValue(target, ValueFormats.For(field.FieldType).Read(node, field.GetValue(target), references, place.In(field.Name)));
-    }
 
     public static YamlMappingNode Write(object source, FileReferences references, Place place)
     {
@@ -36,8 +34,6 @@ static class FieldValues
             .Select(f => (SerializedFields.NameOf(f), Write(f, source, references, place))).ToArray());
     }
 
-    public static YamlNode Write(FieldInfo field, object source, FileReferences references, Place place)
-    {
-        return ValueFormats.For(field.FieldType).Write(field.GetValue(source), references, place.In(field.Name));
-    }
+    public static YamlNode Write(FieldInfo field, object source, FileReferences references, Place place) =>
+        ValueFormats.For(field.FieldType).Write(field.GetValue(source), references, place.In(field.Name));
 }

@@ -43,10 +43,8 @@ sealed class FileReferences
     /// <param name="target">The object, which must not be null or destroyed.</param>
     /// <param name="place">Place for error messages.</param>
     /// <exception cref="AssetException">The object is neither in this file nor an asset of the library.</exception>
-    public AssetReference ReferenceTo(Object target, Place place)
-    {
-        return _ids.TryGetValue(target, out var id) ? new AssetReference(id) : _assets.ReferenceTo(target, place);
-    }
+    public AssetReference ReferenceTo(Object target, Place place) =>
+        _ids.TryGetValue(target, out var id) ? new AssetReference(id) : _assets.ReferenceTo(target, place);
 
     /// <summary>Returns the reference to the script file of a class.</summary>
     /// <param name="type">Type of a component or ScriptableObject in a script.</param>
@@ -57,9 +55,7 @@ sealed class FileReferences
     /// <summary>Returns the index of a transform among the children of its parent, or among the roots of the file.</summary>
     public int SiblingIndex(Transform transform) => _roots.TryGetValue(transform, out var index) ? index : transform.GetSiblingIndex();
 
-    Object OwnObject(long fileId, Place place)
-    {
-        return _objects.TryGetValue(fileId, out var found) ? found
+    Object OwnObject(long fileId, Place place) =>
+        _objects.TryGetValue(fileId, out var found) ? found
             : throw place.Error(AssetFault.MissingObject, "the file has no object " + Numbers.Write(fileId));
-    }
 }

@@ -3,44 +3,31 @@ using YamlDotNet.RepresentationModel;
 namespace Nowpose.UnityPlayer.Assets.Values;
 
 /// <summary>A place in a file, for error messages. Example: <c>Arm.prefab &amp;12 Light.m_Color</c>.</summary>
-readonly struct Place
+readonly struct Place(string text)
 {
-    readonly string _text;
+    public Place In(string field) => new Place(text + "." + field);
 
-    public Place(string text) => _text = text;
+    public Place At(int index) => new Place(text + "[" + index + "]");
 
-    public Place In(string field) => new Place(_text + "." + field);
+    public AssetException Error(AssetFault fault, string message) => new AssetException(fault, text + ": " + message);
 
-    public Place At(int index) => new Place(_text + "[" + index + "]");
+    public string Scalar(YamlNode node) =>
+        node is YamlScalarNode scalar ? scalar.Value ?? "" : throw Error(AssetFault.Kind, "has to be one value, not " + Kind(node));
 
-    public AssetException Error(AssetFault fault, string message) => new AssetException(fault, _text + ": " + message);
-
-    public string Scalar(YamlNode node)
-    {
-        return node is YamlScalarNode scalar ? scalar.Value ?? "" : throw Error(AssetFault.Kind, "has to be one value, not " + Kind(node));
-    }
-
-    public YamlMappingNode Mapping(YamlNode node)
-    {
-        return node as YamlMappingNode ?? throw Error(AssetFault.Kind, "has to be named values, not " + Kind(node));
-    }
+    public YamlMappingNode Mapping(YamlNode node) =>
+        node as YamlMappingNode ?? throw Error(AssetFault.Kind, "has to be named values, not " + Kind(node));
 
     /// <summary>Returns a node as a list. An empty list is also a list node, because Unity writes it as <c>[]</c>.</summary>
-    public YamlSequenceNode Sequence(YamlNode node)
-    {
-        return node as YamlSequenceNode ?? throw Error(AssetFault.Kind, "has to be a list, not " + Kind(node));
-    }
+    public YamlSequenceNode Sequence(YamlNode node) =>
+        node as YamlSequenceNode ?? throw Error(AssetFault.Kind, "has to be a list, not " + Kind(node));
 
-    public override string ToString() => _text;
+    public override string ToString() => text;
 
-    static string Kind(YamlNode node)
+    static string Kind(YamlNode node) => node switch
     {
-        return node switch
-        {
-            YamlScalarNode scalar => "\"" + scalar.Value + "\"",
-            YamlMappingNode _ => "named values",
-            YamlSequenceNode _ => "a list",
-            _ => "nothing",
-        };
-    }
+        YamlScalarNode scalar => "\"" + scalar.Value + "\"",
+        YamlMappingNode _ => "named values",
+        YamlSequenceNode _ => "a list",
+        _ => "nothing",
+    };
 }

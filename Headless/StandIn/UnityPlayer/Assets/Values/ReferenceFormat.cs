@@ -6,17 +6,13 @@ using Object = UnityEngine.Object;
 namespace Nowpose.UnityPlayer.Assets.Values;
 
 /// <summary>Format of a reference to an object. The empty reference is <c>{fileID: 0}</c>.</summary>
-sealed class ReferenceFormat : IValueFormat
+sealed class ReferenceFormat(Type type) : IValueFormat
 {
-    readonly Type _type;
-
-    public ReferenceFormat(Type type) => _type = type;
-
     public object Read(YamlNode node, object current, FileReferences references, Place place)
     {
         if (!AssetReference.TryRead(node, out var reference))
             throw place.Error(AssetFault.Kind, "has to be a reference: {fileID: …} or {fileID: …, guid: …, type: …}");
-        return reference.IsNone ? null : references.ObjectAt(reference, _type, place);
+        return reference.IsNone ? null : references.ObjectAt(reference, type, place);
     }
 
     public YamlNode Write(object value, FileReferences references, Place place)

@@ -35,10 +35,7 @@ static class ValueFormats
 
     /// <summary>Returns the format for a type.</summary>
     /// <exception cref="NotSupportedException">Unity serialises the type, but this class does not support it.</exception>
-    public static IValueFormat For(Type type)
-    {
-        return Simple.TryGetValue(type, out var format) ? format : Composed.GetOrAdd(type, Compose);
-    }
+    public static IValueFormat For(Type type) => Simple.TryGetValue(type, out var format) ? format : Composed.GetOrAdd(type, Compose);
 
     static IValueFormat Compose(Type type)
     {

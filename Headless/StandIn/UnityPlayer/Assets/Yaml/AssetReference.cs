@@ -1,4 +1,3 @@
-using System;
 using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Yaml;
@@ -6,7 +5,10 @@ namespace Nowpose.UnityPlayer.Assets.Yaml;
 /// <summary>
 /// A reference to an object: <c>{fileID: N}</c> to an object in the same file, <c>{fileID: N, guid: G, type: T}</c> to an object in another file.
 /// </summary>
-readonly struct AssetReference : IEquatable<AssetReference>
+/// <param name="FileId">FileID of the object.</param>
+/// <param name="Guid">GUID of the other file, as 32 hexadecimal digits; null for an object in the same file.</param>
+/// <param name="Type">Type number of the other file; 0 for an object in the same file.</param>
+readonly record struct AssetReference(long FileId, string Guid = null, int Type = 0)
 {
     /// <summary>Type number for Unity's built-in assets.</summary>
     public const int BuiltIn = 0;
@@ -17,21 +19,7 @@ readonly struct AssetReference : IEquatable<AssetReference>
     /// <summary>Type number for the result of an importer, for example scripts, prefabs and shaders.</summary>
     public const int Imported = 3;
 
-    public AssetReference(long fileId, string guid = null, int type = 0)
-    {
-        FileId = fileId;
-        Guid = guid;
-        Type = type;
-    }
-
     public static AssetReference None => default;
-
-    public long FileId { get; }
-
-    /// <summary>GUID of the other file, as 32 hexadecimal digits; null for an object in the same file.</summary>
-    public string Guid { get; }
-
-    public int Type { get; }
 
     public bool IsNone => FileId == 0 && Guid == null;
 
@@ -51,25 +39,15 @@ readonly struct AssetReference : IEquatable<AssetReference>
         return true;
     }
 
-    public YamlMappingNode Write()
-    {
-        return Guid == null
+    public YamlMappingNode Write() =>
+        Guid == null
             ? Nodes.Braces(("fileID", Nodes.Number(FileId)))
             : Nodes.Braces(("fileID", Nodes.Number(FileId)), ("guid", Nodes.Text(Guid)), ("type", Nodes.Number(Type)));
-    }
 
-    public bool Equals(AssetReference other) => FileId == other.FileId && Guid == other.Guid && Type == other.Type;
-
-    public override bool Equals(object obj) => obj is AssetReference other && Equals(other);
-
-    public override int GetHashCode() => HashCode.Combine(FileId, Guid, Type);
-
-    public override string ToString()
-    {
-        return Guid == null
+    public override string ToString() =>
+        Guid == null
             ? "{fileID: " + Numbers.Write(FileId) + "}"
             : "{fileID: " + Numbers.Write(FileId) + ", guid: " + Guid + ", type: " + Numbers.Write(Type) + "}";
-    }
 
     static bool TryReadNumber(YamlMappingNode mapping, string name, out long value)
     {

@@ -20,10 +20,8 @@ static class Nodes
 
     public static YamlSequenceNode List() => new YamlSequenceNode { Style = SequenceStyle.Block };
 
-    public static YamlNode Find(YamlMappingNode mapping, string name)
-    {
-        return mapping.Children.TryGetValue(new YamlScalarNode(name), out var value) ? value : null;
-    }
+    public static YamlNode Find(YamlMappingNode mapping, string name) =>
+        mapping.Children.TryGetValue(new YamlScalarNode(name), out var value) ? value : null;
 
     static YamlMappingNode Fill(YamlMappingNode mapping, (string Name, YamlNode Value)[] entries)
     {

@@ -3,27 +3,14 @@ using YamlDotNet.RepresentationModel;
 namespace Nowpose.UnityPlayer.Assets.Yaml;
 
 /// <summary>One object in a file: the header <c>--- !u!CLASS &amp;FILEID</c>, the name of the class, and the fields.</summary>
-sealed class UnityDocument
+/// <param name="ClassId">Number of the class.</param>
+/// <param name="ClassName">Name of the class.</param>
+/// <param name="FileId">FileID of the object. It is unique in the file and is not 0.</param>
+/// <param name="Fields">Fields of the object in the order of the file.</param>
+/// <param name="IsStripped">
+/// Whether the document is a placeholder for an object of a prefab instance. A placeholder only identifies the object.
+/// </param>
+sealed record UnityDocument(int ClassId, string ClassName, long FileId, YamlMappingNode Fields, bool IsStripped = false)
 {
-    public UnityDocument(int classId, string className, long fileId, YamlMappingNode fields, bool isStripped = false)
-    {
-        ClassId = classId;
-        ClassName = className;
-        FileId = fileId;
-        Fields = fields;
-        IsStripped = isStripped;
-    }
-
-    public int ClassId { get; }
-    public string ClassName { get; }
-
-    /// <summary>FileID of the object. It is unique in the file and is not 0.</summary>
-    public long FileId { get; }
-
-    public YamlMappingNode Fields { get; }
-
-    /// <summary>Whether the document is a placeholder for an object of a prefab instance. A placeholder only identifies the object.</summary>
-    public bool IsStripped { get; }
-
     public override string ToString() => "&" + Numbers.Write(FileId) + " " + ClassName;
 }
