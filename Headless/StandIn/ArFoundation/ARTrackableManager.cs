@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Unity.XR.CoreUtils;
 using UnityEngine.SubsystemsImplementation;
 using UnityEngine.XR.ARSubsystems;

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace UnityEngine.XR.ARSubsystems;
 
 /// <summary>A simulated device with the subsystems that its runtime provides. At most one device exists at a time.</summary>

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace UnityEngine.InputSystem;
 
 /// <summary>Values of the controls of connected devices, by their binding paths. Tests set them.</summary>

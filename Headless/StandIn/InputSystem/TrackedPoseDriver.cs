@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEngine.InputSystem.XR;
 
 /// <summary>Moves the transform to the pose of a device, relative to the parent. Without a device, the transform does not move.</summary>

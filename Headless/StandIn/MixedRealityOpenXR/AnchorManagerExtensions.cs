@@ -1,4 +1,3 @@
-using System.Threading.Tasks;
 using UnityEngine.XR.ARFoundation;
 
 namespace Microsoft.MixedReality.OpenXR.ARFoundation;

@@ -1,5 +1,3 @@
-using System;
-
 namespace Microsoft.MixedReality.OpenXR;
 
 public class OpenXRTime

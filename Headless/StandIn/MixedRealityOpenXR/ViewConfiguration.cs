@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Microsoft.MixedReality.OpenXR;
 
 public class ViewConfiguration

@@ -1,10 +1,5 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using System.Net.WebSockets;
 using System.Text;
-using System.Threading;
-using System.Threading.Tasks;
 using SystemState = System.Net.WebSockets.WebSocketState;
 
 namespace NativeWebSocket

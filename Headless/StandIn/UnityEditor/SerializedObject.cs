@@ -1,9 +1,5 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Reflection;
 using UnityEngine.Serialization;
-using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 

@@ -1,8 +1,5 @@
-using System;
 using System.Collections;
-using System.Linq;
 using UnityEngine;
-using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Nowpose.UnityPlayer.Assets;
 using UnityEngine;
 
@@ -110,10 +108,10 @@ public sealed class Player : IDisposable
     }
 
     /// <summary>Returns the first active object of a type in the scenes; null if there is none.</summary>
-    public T Find<T>() where T : UnityEngine.Object
+    public T Find<T>() where T : Object
     {
         using var scope = _world.Enter();
-        return UnityEngine.Object.FindObjectOfType<T>();
+        return Object.FindObjectOfType<T>();
     }
 
     /// <summary>Ends the application: calls OnApplicationQuit, then disables and destroys all objects.</summary>

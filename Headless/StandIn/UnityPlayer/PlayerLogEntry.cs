@@ -1,4 +1,3 @@
-using System;
 using UnityEngine;
 
 namespace Nowpose.UnityPlayer;
@@ -8,7 +7,7 @@ namespace Nowpose.UnityPlayer;
 /// <param name="Message">Text of the entry.</param>
 /// <param name="Exception">The exception that a script has thrown or logged; null if the entry is a message.</param>
 /// <param name="Context">The object to which the entry refers; null if there is none.</param>
-public readonly record struct PlayerLogEntry(LogType Type, string Message, Exception Exception, UnityEngine.Object Context)
+public readonly record struct PlayerLogEntry(LogType Type, string Message, Exception Exception, Object Context)
 {
     public override string ToString() => $"{Type}: {Message}{(Exception == null ? "" : "\n" + Exception)}";
 }

@@ -1,5 +1,3 @@
-using System;
-
 namespace MixedReality.Toolkit;
 
 [Flags]

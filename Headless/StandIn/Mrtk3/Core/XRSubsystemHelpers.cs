@@ -1,4 +1,3 @@
-using System;
 using MixedReality.Toolkit.Subsystems;
 
 namespace MixedReality.Toolkit;

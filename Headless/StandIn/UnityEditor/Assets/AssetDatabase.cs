@@ -1,7 +1,3 @@
-using System;
-using System.Linq;
-using Object = UnityEngine.Object;
-
 namespace UnityEditor;
 
 public sealed class AssetDatabase

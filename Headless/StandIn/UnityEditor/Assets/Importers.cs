@@ -1,11 +1,6 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Reflection;
 using UnityEditor.AssetImporters;
 using UnityEngine;
-using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 

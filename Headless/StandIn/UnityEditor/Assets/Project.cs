@@ -1,10 +1,5 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text.RegularExpressions;
 using Nowpose.UnityPlayer;
-using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 

@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEditor.AssetImporters;
 
 [AttributeUsage(AttributeTargets.Class, Inherited = false)]

@@ -1,5 +1,3 @@
-using Object = UnityEngine.Object;
-
 namespace UnityEditor.Build.Reporting;
 
 public sealed class BuildReport : Object

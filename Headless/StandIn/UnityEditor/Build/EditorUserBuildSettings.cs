@@ -1,5 +1,4 @@
 using UnityEditor.Build;
-using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 

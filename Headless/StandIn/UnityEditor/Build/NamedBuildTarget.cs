@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEditor.Build;
 
 public readonly struct NamedBuildTarget : IEquatable<NamedBuildTarget>, IComparable<NamedBuildTarget>

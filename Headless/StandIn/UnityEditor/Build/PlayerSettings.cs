@@ -1,7 +1,5 @@
-using System.Collections.Generic;
 using UnityEditor.Build;
 using UnityEngine.Rendering;
-using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 

@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEditor;
 
 [AttributeUsage(AttributeTargets.Class, Inherited = false, AllowMultiple = true)]

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using UnityEditor.PackageManager.Requests;
 
 namespace UnityEditor.PackageManager;

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace UnityEditor.PackageManager;
 
 public sealed class PackageInfo

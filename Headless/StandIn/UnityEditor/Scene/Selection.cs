@@ -1,5 +1,3 @@
-using Object = UnityEngine.Object;
-
 namespace UnityEditor;
 
 public sealed class Selection

@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEngine;
 
 public sealed class ExecuteAlways : Attribute

@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEngine.Serialization;
 
 [AttributeUsage(AttributeTargets.Field, AllowMultiple = true, Inherited = false)]

@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEngine;
 
 [AttributeUsage(AttributeTargets.All, Inherited = true, AllowMultiple = false)]

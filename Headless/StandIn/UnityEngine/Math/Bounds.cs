@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEngine;
 
 public struct Bounds(Vector3 center, Vector3 size) : IEquatable<Bounds>, IFormattable

@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEngine;
 
 public struct Color32(byte r, byte g, byte b, byte a) : IFormattable

@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEngine;
 
 /// <summary>Converts rotations to Euler angles in the order z, x, y.</summary>

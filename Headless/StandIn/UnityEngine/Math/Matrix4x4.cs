@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEngine;
 
 /// <summary>A 4x4 matrix with elements m[row, column]. It multiplies column vectors.</summary>

@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEngine;
 
 public struct Pose(Vector3 position, Quaternion rotation) : IEquatable<Pose>

@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEngine;
 
 /// <summary>A rotation in left-handed axes. A positive angle turns clockwise as seen from the tip of the axis towards its origin.</summary>

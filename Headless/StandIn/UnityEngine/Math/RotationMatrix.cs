@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEngine;
 
 /// <summary>Functions for rotations that are given by the directions of their right, up and forward vectors.</summary>

@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEngine;
 
 /// <summary>Thrown when a member of a destroyed object is accessed.</summary>

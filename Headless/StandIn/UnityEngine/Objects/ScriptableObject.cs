@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEngine;
 
 public class ScriptableObject : Object

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace UnityEngine;
 
 /// <summary>Finds objects in the loaded scenes, in the order of the hierarchy.</summary>

@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEngine;
 
 /// <summary>Thrown when Unity's API is used in an invalid way.</summary>

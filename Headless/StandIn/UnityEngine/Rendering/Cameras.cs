@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace UnityEngine.Rendering;
 
 /// <summary>The enabled cameras of a world, and the delegates called before and after each camera renders.</summary>

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using UnityEngine.XR;
 
 namespace UnityEngine.Rendering;

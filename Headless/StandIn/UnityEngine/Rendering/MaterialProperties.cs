@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace UnityEngine.Rendering;
 
 /// <summary>Values of the properties of one type, by the ids of the property names.</summary>

@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using UnityEngine.Rendering;
 
 namespace UnityEngine;

@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEngine.Rendering;
 
 /// <summary>One readback request. Later requests reuse the object, because in Unity requests do not allocate managed memory.</summary>

@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEngine;
 
 /// <summary>Unity's times, in s. They change only from frame to frame.</summary>

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace UnityEngine;
 
 /// <summary>Destroys objects: immediately, or at two points of a frame, before the rendering and at the end of the frame.</summary>

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace UnityEngine;
 
 static class Hierarchy

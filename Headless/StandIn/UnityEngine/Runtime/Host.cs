@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-
 namespace UnityEngine;
 
 /// <summary>Properties of the application in which the engine runs.</summary>

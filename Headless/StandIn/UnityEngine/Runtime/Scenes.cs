@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace UnityEngine;
 
 /// <summary>The loaded scenes of a world.</summary>

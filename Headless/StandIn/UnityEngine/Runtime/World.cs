@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace UnityEngine;
 
 /// <summary>All state of the engine. Unity's static members use the current world. Only the log may be used from other threads.</summary>

@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEngine;
 
 /// <summary>Makes a world the current one. Disposing the scope restores the previous world.</summary>

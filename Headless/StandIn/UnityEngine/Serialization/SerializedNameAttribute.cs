@@ -1,5 +1,3 @@
-using System;
-
 namespace UnityEngine.Serialization;
 
 /// <summary>Name of a field in Unity's files, for fields of Unity's own classes.</summary>

@@ -1,5 +1,3 @@
-using System;
-
 namespace Nowpose.UnityPlayer.Assets;
 
 /// <summary>

@@ -1,5 +1,3 @@
-using System.IO;
-
 namespace Nowpose.UnityPlayer.Assets.Files;
 
 /// <summary>An asset with a .meta file. The file of the asset itself may be missing if it is never read; for example, that of a script.</summary>

@@ -1,8 +1,4 @@
-using System;
 using System.Collections.Concurrent;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Reflection;
 using Nowpose.UnityPlayer.Assets.Values;
 
@@ -46,7 +42,7 @@ sealed class ScriptTypes(AssetIndex index)
     {
         var assemblies = AssemblyOf(script) is { } name ? new[] { Load(name, script, place) } : AppDomain.CurrentDomain.GetAssemblies();
         var found = assemblies.SelectMany(TypesOf)
-            .Where(t => t.Name == script.Name && !t.IsAbstract && typeof(UnityEngine.Object).IsAssignableFrom(t)).ToList();
+            .Where(t => t.Name == script.Name && !t.IsAbstract && typeof(Object).IsAssignableFrom(t)).ToList();
         return found.Count == 1
             ? found[0]
             : throw place.Error(AssetFault.Script, script.Path + " must contain one class " + script.Name + ", not " + found.Count);

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using Nowpose.UnityPlayer.Assets.Yaml;
 using UnityEngine;
 

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Runtime.CompilerServices;
 using Nowpose.UnityPlayer.Assets.Values;
 using Nowpose.UnityPlayer.Assets.Yaml;

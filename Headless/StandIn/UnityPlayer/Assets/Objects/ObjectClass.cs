@@ -1,11 +1,7 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Nowpose.UnityPlayer.Assets.Values;
 using UnityEngine;
 using YamlDotNet.Core.Events;
 using YamlDotNet.RepresentationModel;
-using Object = UnityEngine.Object;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 

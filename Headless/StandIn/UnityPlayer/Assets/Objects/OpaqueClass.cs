@@ -1,8 +1,5 @@
-using System.Collections.Generic;
-using System.Linq;
 using Nowpose.UnityPlayer.Assets.Values;
 using YamlDotNet.RepresentationModel;
-using Object = UnityEngine.Object;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 

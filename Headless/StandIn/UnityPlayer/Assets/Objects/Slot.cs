@@ -1,8 +1,6 @@
-using System;
 using Nowpose.UnityPlayer.Assets.Values;
 using UnityEngine.Serialization;
 using YamlDotNet.RepresentationModel;
-using Object = UnityEngine.Object;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 

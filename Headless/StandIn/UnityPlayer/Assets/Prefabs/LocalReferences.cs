@@ -1,5 +1,3 @@
-using System;
-using System.Collections.Generic;
 using Nowpose.UnityPlayer.Assets.Yaml;
 using YamlDotNet.RepresentationModel;
 

@@ -1,4 +1,3 @@
-using System;
 using System.Globalization;
 using System.Text.RegularExpressions;
 using Nowpose.UnityPlayer.Assets.Values;

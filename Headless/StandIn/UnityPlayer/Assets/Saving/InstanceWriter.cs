@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
 using Nowpose.UnityPlayer.Assets.Prefabs;
 using Nowpose.UnityPlayer.Assets.Yaml;
 using UnityEngine;

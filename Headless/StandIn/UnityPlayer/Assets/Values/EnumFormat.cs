@@ -1,4 +1,3 @@
-using System;
 using System.Globalization;
 using YamlDotNet.RepresentationModel;
 using Nowpose.UnityPlayer.Assets.Yaml;

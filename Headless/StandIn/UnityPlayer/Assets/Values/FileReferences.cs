@@ -1,9 +1,6 @@
-using System;
-using System.Collections.Generic;
 using Nowpose.UnityPlayer.Assets.Loading;
 using Nowpose.UnityPlayer.Assets.Yaml;
 using UnityEngine;
-using Object = UnityEngine.Object;
 
 namespace Nowpose.UnityPlayer.Assets.Values;
 

@@ -1,7 +1,5 @@
-using System;
 using YamlDotNet.RepresentationModel;
 using Nowpose.UnityPlayer.Assets.Yaml;
-using Object = UnityEngine.Object;
 
 namespace Nowpose.UnityPlayer.Assets.Values;
 

@@ -1,4 +1,3 @@
-using System;
 using Nowpose.UnityPlayer.Assets.Yaml;
 using YamlDotNet.RepresentationModel;
 

@@ -1,10 +1,7 @@
-using System;
 using System.Collections.Concurrent;
-using System.Collections.Generic;
 using Nowpose.UnityPlayer.Assets.Yaml;
 using UnityEngine;
 using UnityEngine.Serialization;
-using Object = UnityEngine.Object;
 
 namespace Nowpose.UnityPlayer.Assets.Values;
 

@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using System.Text;
 using YamlDotNet.Core.Events;
 using YamlDotNet.RepresentationModel;
