@@ -123,9 +123,7 @@ namespace Nowpose.Editor
             if (asset == null) return;
             var label = (GameObject)PrefabUtility.InstantiatePrefab(asset);
             label.transform.SetParent(appearance.transform, worldPositionStays: false);
-            var serialized = new SerializedObject(appearance);
-            serialized.FindProperty("_words").objectReferenceValue = label.GetComponent<TextMesh>();
-            serialized.ApplyModifiedProperties();
+            SerialisedField.Write(appearance, "_words", field => field.objectReferenceValue = label.GetComponent<TextMesh>());
         }
 
         static GameObject ParentOf(Func<GameObject, GameObject> parentFor)

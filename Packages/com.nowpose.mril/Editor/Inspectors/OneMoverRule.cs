@@ -50,11 +50,8 @@ namespace Nowpose.Editor.Inspectors
 
         static RobotRig RigOf(VirtualGripper gripper)
         {
-            using (var serialised = new SerializedObject(gripper))
-            {
-                var assigned = serialised.FindProperty("_rig").objectReferenceValue as RobotRig;
-                return assigned != null ? assigned : gripper.gameObject.GetComponentInParent<RobotRig>(true);
-            }
+            var assigned = SerialisedField.Referenced<RobotRig>(gripper, "_rig");
+            return assigned != null ? assigned : gripper.gameObject.GetComponentInParent<RobotRig>(true);
         }
 
         RobotModel ModelOf(RobotRig rig)
@@ -66,8 +63,7 @@ namespace Nowpose.Editor.Inspectors
                 var session = SceneSearch.SessionOf(rig);
                 return session == null ? null : _described.Of(session.RobotAsset);
             }
-            using (var serialised = new SerializedObject(rig))
-                return _described.Of(serialised.FindProperty("_description").objectReferenceValue as RobotDescriptionAsset);
+            return _described.Of(SerialisedField.Referenced<RobotDescriptionAsset>(rig, "_description"));
         }
     }
 }

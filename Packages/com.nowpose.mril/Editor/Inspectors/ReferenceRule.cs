@@ -54,18 +54,10 @@ namespace Nowpose.Editor.Inspectors
             foreach (var component in components)
             {
                 var remedy = _remedy((Component)component);
-                if (remedy == null) continue;
-                using (var serialised = new SerializedObject(component))
-                {
-                    serialised.FindProperty(_field).objectReferenceValue = remedy;
-                    serialised.ApplyModifiedProperties();
-                }
+                if (remedy != null) SerialisedField.Write(component, _field, field => field.objectReferenceValue = remedy);
             }
         }
 
-        bool IsSet(Component component)
-        {
-            using (var serialised = new SerializedObject(component)) return serialised.FindProperty(_field).objectReferenceValue != null;
-        }
+        bool IsSet(Component component) => SerialisedField.Referenced<Object>(component, _field) != null;
     }
 }

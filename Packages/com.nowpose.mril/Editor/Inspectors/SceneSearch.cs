@@ -29,11 +29,8 @@ namespace Nowpose.Editor.Inspectors
         /// <summary>Returns the session that is assigned to a component, or else the one on its object or a parent; null if there is none.</summary>
         public static MrilSession SessionOf(Component component)
         {
-            using (var serialised = new SerializedObject(component))
-            {
-                var assigned = serialised.FindProperty("_session").objectReferenceValue as MrilSession;
-                return assigned != null ? assigned : component.gameObject.GetComponentInParent<MrilSession>(true);
-            }
+            var assigned = SerialisedField.Referenced<MrilSession>(component, "_session");
+            return assigned != null ? assigned : component.gameObject.GetComponentInParent<MrilSession>(true);
         }
 
         // A prefab asset is in no scene.

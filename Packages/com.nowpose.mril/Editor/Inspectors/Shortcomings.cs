@@ -5,7 +5,6 @@ using Nowpose.Editor.Messages;
 using Nowpose.Unity;
 using Nowpose.Unity.Cell;
 using Nowpose.Unity.Session;
-using UnityEditor;
 using UnityEngine;
 using Object = UnityEngine.Object;
 
@@ -83,11 +82,8 @@ namespace Nowpose.Editor.Inspectors
             var session = SceneSearch.SessionOf(rig);
             if (session == null) return "";
             if (session.Settings != null) return session.Settings.RobotNamespace;
-            using (var serialised = new SerializedObject(session))
-            {
-                var settings = serialised.FindProperty("_settings").objectReferenceValue as SessionSettingsAsset;
-                return settings != null ? settings.RobotNamespace : "";
-            }
+            var settings = SerialisedField.Referenced<SessionSettingsAsset>(session, "_settings");
+            return settings != null ? settings.RobotNamespace : "";
         }
 
         static bool IsBesideBase(RobotRig rig) => rig.gameObject.GetComponentInParent<BaseAnchor>(true) == null

@@ -1,3 +1,4 @@
+using System.Linq;
 using UnityEditor;
 using Object = UnityEngine.Object;
 
@@ -16,72 +17,27 @@ namespace Nowpose.Editor.Setup
         public static bool Exist(BuildTargetGroup player) => PlayerAsset.Find(SettingsType, player) != null;
 
         /// <summary>Returns whether a feature is enabled; null if the project has no such settings or no such feature.</summary>
-        public static bool? IsOn(BuildTargetGroup player, string featureId)
-        {
-            var feature = Feature(player, featureId);
-            if (feature == null) return null;
-            using (var serialised = new SerializedObject(feature)) return serialised.FindProperty("m_enabled")?.boolValue;
-        }
+        public static bool? IsOn(BuildTargetGroup player, string featureId) =>
+            SerialisedField.Read(Feature(player, featureId), "m_enabled", property => (bool?)property.boolValue);
 
         /// <summary>Enables a feature.</summary>
         /// <returns>False if the project has no such feature.</returns>
-        public static bool TurnOn(BuildTargetGroup player, string featureId)
-        {
-            var feature = Feature(player, featureId);
-            if (feature == null) return false;
-            using (var serialised = new SerializedObject(feature))
-            {
-                var enabled = serialised.FindProperty("m_enabled");
-                if (enabled == null) return false;
-                enabled.boolValue = true;
-                serialised.ApplyModifiedProperties();
-                return true;
-            }
-        }
+        public static bool TurnOn(BuildTargetGroup player, string featureId) =>
+            SerialisedField.Write(Feature(player, featureId), "m_enabled", property => property.boolValue = true);
 
         /// <summary>Returns the number of an enumeration setting; null if the project has no such setting.</summary>
-        public static int? Get(BuildTargetGroup player, string field)
-        {
-            var settings = PlayerAsset.Find(SettingsType, player);
-            if (settings == null) return null;
-            using (var serialised = new SerializedObject(settings)) return serialised.FindProperty(field)?.intValue;
-        }
+        public static int? Get(BuildTargetGroup player, string field) =>
+            SerialisedField.Read(PlayerAsset.Find(SettingsType, player), field, property => (int?)property.intValue);
 
         /// <summary>Sets an enumeration setting to a number.</summary>
         /// <returns>False if the project has no such setting.</returns>
-        public static bool Set(BuildTargetGroup player, string field, int value)
-        {
-            var settings = PlayerAsset.Find(SettingsType, player);
-            if (settings == null) return false;
-            using (var serialised = new SerializedObject(settings))
-            {
-                var property = serialised.FindProperty(field);
-                if (property == null) return false;
-                property.intValue = value;
-                serialised.ApplyModifiedProperties();
-                return true;
-            }
-        }
+        public static bool Set(BuildTargetGroup player, string field, int value) =>
+            SerialisedField.Write(PlayerAsset.Find(SettingsType, player), field, property => property.intValue = value);
 
-        static Object Feature(BuildTargetGroup player, string id)
-        {
-            var settings = PlayerAsset.Find(SettingsType, player);
-            if (settings == null) return null;
-            using (var serialised = new SerializedObject(settings))
-            {
-                var features = serialised.FindProperty("features");
-                for (var i = 0; i < (features?.arraySize ?? 0); i++)
-                {
-                    var feature = features.GetArrayElementAtIndex(i).objectReferenceValue;
-                    if (feature != null && IdOf(feature) == id) return feature;
-                }
-                return null;
-            }
-        }
+        static Object Feature(BuildTargetGroup player, string id) => SerialisedField.Read(
+            PlayerAsset.Find(SettingsType, player), "features",
+            features => SerialisedField.References(features).FirstOrDefault(feature => feature != null && IdOf(feature) == id));
 
-        static string IdOf(Object feature)
-        {
-            using (var serialised = new SerializedObject(feature)) return serialised.FindProperty("featureIdInternal")?.stringValue;
-        }
+        static string IdOf(Object feature) => SerialisedField.Read(feature, "featureIdInternal", property => property.stringValue);
     }
 }

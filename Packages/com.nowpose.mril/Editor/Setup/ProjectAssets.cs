@@ -1,5 +1,6 @@
-using System;
+using System.Linq;
 using UnityEditor;
+using UnityEngine;
 
 namespace Nowpose.Editor.Setup
 {
@@ -13,39 +14,30 @@ namespace Nowpose.Editor.Setup
         const string HasChangedHandling = "Nowpose.HasChangedInputHandling";
 
         /// <summary>Number of the setting Active Input Handling; null if the setting is not found.</summary>
-        public static int? InputHandling => Read(Player, Handling, property => (int?)property.intValue);
+        public static int? InputHandling => SerialisedField.Read(AssetAt(Player), Handling, property => (int?)property.intValue);
 
         /// <summary>Whether the number was set since Unity was started. It takes effect when Unity is started again.</summary>
         public static bool IsInputHandlingPending => SessionState.GetBool(HasChangedHandling, false);
 
         /// <summary>Type name of the default render pipeline asset; null for the built-in pipeline.</summary>
-        public static string DefaultRenderPipeline => Read(Graphics, "m_CustomRenderPipeline", TypeOfReferenced);
+        public static string DefaultRenderPipeline
+        {
+            get
+            {
+                var asset = SerialisedField.Referenced<Object>(AssetAt(Graphics), "m_CustomRenderPipeline");
+                return asset == null ? null : asset.GetType().Name;
+            }
+        }
 
         /// <summary>Sets Active Input Handling to a number.</summary>
         /// <returns>False if the setting is not found.</returns>
-        public static bool ChooseInputHandling(int value) => Read(Player, Handling, property =>
+        public static bool ChooseInputHandling(int value)
         {
-            property.intValue = value;
-            property.serializedObject.ApplyModifiedProperties();
-            SessionState.SetBool(HasChangedHandling, true);
-            return true;
-        });
-
-        static string TypeOfReferenced(SerializedProperty property)
-        {
-            var asset = property.objectReferenceValue;
-            return asset == null ? null : asset.GetType().Name;
+            var isFound = SerialisedField.Write(AssetAt(Player), Handling, property => property.intValue = value);
+            if (isFound) SessionState.SetBool(HasChangedHandling, true);
+            return isFound;
         }
 
-        static T Read<T>(string path, string field, Func<SerializedProperty, T> read)
-        {
-            var all = AssetDatabase.LoadAllAssetsAtPath(path);
-            if (all.Length == 0 || all[0] == null) return default;
-            using (var serialised = new SerializedObject(all[0]))
-            {
-                var property = serialised.FindProperty(field);
-                return property == null ? default : read(property);
-            }
-        }
+        static Object AssetAt(string path) => AssetDatabase.LoadAllAssetsAtPath(path).FirstOrDefault();
     }
 }

@@ -13,24 +13,10 @@ namespace Nowpose.Editor.Setup
 
         /// <summary>Returns whether a player starts OpenXR; null if the project has no XR settings for the player.</summary>
         public static bool? UseOpenXr(BuildTargetGroup player) =>
-            HasOpenXr(Referenced(PlayerAsset.Find(SettingsType, player), "m_LoaderManagerInstance"));
+            HasOpenXr(SerialisedField.Referenced<Object>(PlayerAsset.Find(SettingsType, player), "m_LoaderManagerInstance"));
 
-        static Object Referenced(Object owner, string property)
-        {
-            if (owner == null) return null;
-            using (var serialised = new SerializedObject(owner)) return serialised.FindProperty(property)?.objectReferenceValue;
-        }
-
-        static bool? HasOpenXr(Object manager)
-        {
-            if (manager == null) return null;
-            using (var serialised = new SerializedObject(manager))
-            {
-                var loaders = serialised.FindProperty("m_Loaders");
-                if (loaders == null) return null;
-                return Enumerable.Range(0, loaders.arraySize).Any(i => IsOpenXr(loaders.GetArrayElementAtIndex(i).objectReferenceValue));
-            }
-        }
+        static bool? HasOpenXr(Object manager) =>
+            SerialisedField.Read(manager, "m_Loaders", loaders => (bool?)SerialisedField.References(loaders).Any(IsOpenXr));
 
         // The UWP player uses OpenXRLoaderNoPreInit, and other players use OpenXRLoader. OpenXRLoaderBase is their common base class.
         static bool IsOpenXr(Object loader)
