@@ -7,16 +7,17 @@ namespace Nowpose.Editor.Setup
     /// <summary>Rates Unity versions. Some were compared with the members that the package uses, and others have known failures.</summary>
     static class UnityVersionRatings
     {
-        // Each row applies from its version up to the version of the next row.
-        static readonly Row[] Rows =
+        // Each row applies from its version up to the version of the next row. The failure is the reason why the version does not work with
+        // Microsoft's plug-in; null if it works.
+        static readonly (Version From, CheckState State, string Words, string Failure)[] Rows =
         {
-            new Row("2021.3", CheckState.Advice, UnityVersionMessages.Compared2021),
-            new Row("2022.1", CheckState.Advice, UnityVersionMessages.NotCompared),
-            new Row("2022.3", CheckState.Good, UnityVersionMessages.Compared2022),
-            new Row("2023.1", CheckState.Advice, UnityVersionMessages.NotCompared),
-            new Row("6000.0", CheckState.Advice, UnityVersionMessages.Compared6000),
-            new Row("6000.1", CheckState.Advice, UnityVersionMessages.NotCompared),
-            new Row("6000.3", CheckState.Advice, UnityVersionMessages.NotComparedNewest, UnityVersionMessages.PlugInFails),
+            (new Version(2021, 3), CheckState.Advice, UnityVersionMessages.Compared2021, null),
+            (new Version(2022, 1), CheckState.Advice, UnityVersionMessages.NotCompared, null),
+            (new Version(2022, 3), CheckState.Good, UnityVersionMessages.Compared2022, null),
+            (new Version(2023, 1), CheckState.Advice, UnityVersionMessages.NotCompared, null),
+            (new Version(6000, 0), CheckState.Advice, UnityVersionMessages.Compared6000, null),
+            (new Version(6000, 1), CheckState.Advice, UnityVersionMessages.NotCompared, null),
+            (new Version(6000, 3), CheckState.Advice, UnityVersionMessages.NotComparedNewest, UnityVersionMessages.PlugInFails),
         };
 
         /// <summary>Oldest supported version of Unity.</summary>
@@ -30,29 +31,10 @@ namespace Nowpose.Editor.Setup
         public static CheckResult Judge(UnityVersion version, bool withMicrosoft)
         {
             var row = Rows.LastOrDefault(r => version.Number >= r.From);
-            if (row == null)
-                return new CheckResult(CheckState.Missing, UnityVersionMessages.TooOld(version, Oldest));
+            if (row.From == null) return new CheckResult(CheckState.Missing, UnityVersionMessages.TooOld(version, Oldest));
             return withMicrosoft && row.Failure != null
                 ? new CheckResult(CheckState.Missing, version + ": " + row.Failure)
                 : new CheckResult(row.State, version + ": " + row.Words);
-        }
-
-        sealed class Row
-        {
-            public Row(string from, CheckState state, string words, string failure = null)
-            {
-                From = Version.Parse(from);
-                State = state;
-                Words = words;
-                Failure = failure;
-            }
-
-            public Version From { get; }
-            public CheckState State { get; }
-            public string Words { get; }
-
-            /// <summary>Reason why the version does not work with Microsoft's plug-in; null if it works.</summary>
-            public string Failure { get; }
         }
     }
 }

@@ -47,7 +47,7 @@ namespace Nowpose.Unity
         readonly Occlusion _occlusion = new Occlusion();
         readonly CellGhosts _ghosts = new CellGhosts();
         MrilSession _source;
-        MenuState _lastRaised;
+        (bool, bool, bool, bool, float, float, bool) _lastRaised;
 
         /// <summary>Raised when one or more properties of this class have changed; at most once per frame.</summary>
         public event Action Changed;
@@ -213,12 +213,13 @@ namespace Nowpose.Unity
             if (_source == null) return;
             _nudge.Follow(_source.Session);
             var state = State;
-            if (state.IsSameAs(_lastRaised)) return;
+            if (state == _lastRaised) return;
             _lastRaised = state;
             Changed?.Invoke();
         }
 
-        MenuState State => new MenuState(IsConnecting, IsGhostShown, IsOcclusionOn, IsPanelShown, Opacity, NudgeMs, IsNudgeIdle);
+        (bool, bool, bool, bool, float, float, bool) State =>
+            (IsConnecting, IsGhostShown, IsOcclusionOn, IsPanelShown, Opacity, NudgeMs, IsNudgeIdle);
 
         // A user interface may call the actions while this component is disabled.
         MrilSession Session => _source != null ? _source : this.SessionOr(_session);
