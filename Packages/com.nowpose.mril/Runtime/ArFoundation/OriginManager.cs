@@ -9,7 +9,7 @@ using UnityEngine.XR.ARFoundation;
 namespace Nowpose.ArFoundation
 {
     /// <summary>Finds or adds an AR Foundation manager on the XR Origin's object, and reports why it does not work.</summary>
-    /// <remarks>Allocates only when it adds a manager or when the reported problem changes.</remarks>
+    /// <remarks>After its construction, allocates only when it adds a manager.</remarks>
     sealed class OriginManager<T> where T : MonoBehaviour
     {
         /// <summary>Delay before a problem is reported. The scene and the runtime take some time to start.</summary>
@@ -22,8 +22,9 @@ namespace Nowpose.ArFoundation
 
         readonly Func<T, ISubsystem> _subsystemOf;
         readonly bool _isAdded;
-        readonly string _need;
-        OriginFault _fault;
+
+        // Composed once, because the problem is found again in each frame.
+        readonly string _noManager, _managerOff, _notOffered, _notRunning;
         XROrigin _origin;
         float? _since;
         bool _wasDisplaying, _isOurs;
@@ -35,7 +36,10 @@ namespace Nowpose.ArFoundation
         {
             _subsystemOf = subsystemOf;
             _isAdded = isAdded;
-            _need = need;
+            _noManager = DeviceMessages.NoManager(typeof(T).Name, need);
+            _managerOff = DeviceMessages.ManagerOff(typeof(T).Name);
+            _notOffered = DeviceMessages.NotOffered(typeof(T).Name, need);
+            _notRunning = DeviceMessages.NotRunning(typeof(T).Name);
         }
 
         /// <summary>The manager; null if the XR Origin has none.</summary>
@@ -64,12 +68,11 @@ namespace Nowpose.ArFoundation
             IsRunning = Manager != null && Manager.isActiveAndEnabled && subsystem != null && subsystem.running;
             if (IsRunning) _wasDisplaying = false;
             else if (Manager != null && subsystem?.running != true) TryAgainWhenXrStarts();
-            var fault = FaultOf(assigned, subsystem);
-            if (fault == OriginFault.None) _since = null;
+            var problem = ProblemOf(assigned, subsystem);
+            if (problem == null) _since = null;
             else if (Time.unscaledTime - (_since ??= Time.unscaledTime) < ReportDelaySeconds) return false;
-            if (fault == _fault) return false;
-            _fault = fault;
-            Problem = WordsOf(fault);
+            if (problem == Problem) return false;
+            Problem = problem;
             return true;
         }
 
@@ -118,13 +121,13 @@ namespace Nowpose.ArFoundation
             _wasDisplaying = isDisplaying;
         }
 
-        OriginFault FaultOf(XROrigin assigned, ISubsystem subsystem)
+        string ProblemOf(XROrigin assigned, ISubsystem subsystem)
         {
-            if (Manager == null) return OriginOr(assigned) == null ? OriginFault.NoOrigin : OriginFault.NoManager;
-            if (!Manager.isActiveAndEnabled) return OriginFault.SwitchedOff;
-            if (subsystem == null) return OriginFault.NotOffered;
-            if (ARSession.state == ARSessionState.None) return OriginFault.NoSession;
-            return subsystem.running ? OriginFault.None : OriginFault.NotRunning;
+            if (Manager == null) return OriginOr(assigned) == null ? DeviceMessages.NoOrigin : _noManager;
+            if (!Manager.isActiveAndEnabled) return _managerOff;
+            if (subsystem == null) return _notOffered;
+            if (ARSession.state == ARSessionState.None) return DeviceMessages.NoArSession;
+            return subsystem.running ? null : _notRunning;
         }
 
         static XROrigin OriginOr(XROrigin assigned)
@@ -132,20 +135,6 @@ namespace Nowpose.ArFoundation
             if (assigned != null) return assigned;
             var camera = Camera.main;
             return camera != null ? camera.GetComponentInParent<XROrigin>() : null;
-        }
-
-        string WordsOf(OriginFault fault)
-        {
-            switch (fault)
-            {
-                case OriginFault.NoOrigin: return DeviceMessages.NoOrigin;
-                case OriginFault.NoManager: return DeviceMessages.NoManager(typeof(T).Name, _need);
-                case OriginFault.SwitchedOff: return DeviceMessages.ManagerOff(typeof(T).Name);
-                case OriginFault.NotOffered: return DeviceMessages.NotOffered(typeof(T).Name, _need);
-                case OriginFault.NoSession: return DeviceMessages.NoArSession;
-                case OriginFault.NotRunning: return DeviceMessages.NotRunning(typeof(T).Name);
-                default: return null;
-            }
         }
     }
 }
