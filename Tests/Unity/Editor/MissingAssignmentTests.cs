@@ -22,7 +22,9 @@ public sealed class MissingAssignmentTests : EditorFixture
         var alone = Inspect(Keep(new GameObject("alone")).AddComponent(component));
         alone.OnInspectorGUI();
 
-        Assert.That(alone, Is.InstanceOf<LiveInspector>(), "add an editor to Editor/Inspectors that is derived from LiveInspector");
+        Assert.That(
+            alone, Is.InstanceOf(typeof(LiveInspector<>).MakeGenericType(component)),
+            "add an editor to Editor/Inspectors that is derived from LiveInspector");
         Assert.That(GuiRecorder.Texts, Has.Some.Matches<string>(IsReport), "add a SessionRule or a RigRule to Editor/Inspectors/Shortcomings.cs");
 
         GuiRecorder.Clear();

@@ -6,13 +6,12 @@ namespace Nowpose.Editor.Inspectors
 {
     [CustomEditor(typeof(ActuatedPart))]
     [CanEditMultipleObjects]
-    sealed class ActuatedPartEditor : LiveInspector
+    sealed class ActuatedPartEditor : LiveInspector<ActuatedPart>
     {
         protected override void DrawLive()
         {
-            var shown = (ActuatedPart)target;
-            EditorGUILayout.LabelField(InspectorTexts.StrokeShare, LiveText.Number(100 * shown.Share, "0", " %"));
-            EditorGUILayout.LabelField("State", shown.Fault ?? "current");
+            EditorGUILayout.LabelField(InspectorTexts.StrokeShare, LiveText.Number(100 * Target.Share, "0", " %"));
+            EditorGUILayout.LabelField("State", Target.Fault ?? "current");
         }
     }
 }

@@ -12,13 +12,11 @@ namespace Nowpose.Editor.Inspectors
     /// <summary>Shows the pose of the base frame in URDF axes (x forward, y left, z up). Its buttons shift the frame along its own axes.</summary>
     [CustomEditor(typeof(BaseAnchor))]
     [CanEditMultipleObjects]
-    sealed class BaseAnchorEditor : LiveInspector
+    sealed class BaseAnchorEditor : LiveInspector<BaseAnchor>
     {
         // Step sizes of the buttons: the smallest changes of a robot's pose that are visible at arm's length.
         const float StepMetres = 0.005f;
         const float StepDegrees = 0.5f;
-
-        BaseAnchor Target => (BaseAnchor)target;
 
         protected override void DrawAlways()
         {

@@ -8,23 +8,23 @@ namespace Nowpose.Editor.Inspectors
 {
     [CustomEditor(typeof(BodyFollow))]
     [CanEditMultipleObjects]
-    sealed class BodyFollowEditor : LiveInspector
+    sealed class BodyFollowEditor : LiveInspector<BodyFollow>
     {
         protected override void DrawLive()
         {
-            var follow = (BodyFollow)target;
-            var head = follow.Head;
+            var head = Target.Head;
             if (head == null)
             {
                 EditorGUILayout.LabelField("Follows", InspectorTexts.NoHead);
                 return;
             }
-            var place = AroundHead.Of(follow.transform.position, head.position);
+            var position = Target.transform.position;
+            var place = AroundHead.Of(position, head.position);
             var aside = Mathf.DeltaAngle(AroundHead.HeadingOf(head.rotation), place.Azimuth);
-            EditorGUILayout.LabelField("Follows", InspectorTexts.Following(head.name, follow.IsGliding));
+            EditorGUILayout.LabelField("Follows", InspectorTexts.Following(head.name, Target.IsGliding));
             EditorGUILayout.LabelField(
                 InspectorTexts.BesideView, LiveText.Number(Mathf.Abs(aside), "0", aside < 0 ? InspectorTexts.DegreesLeft : InspectorTexts.DegreesRight));
-            EditorGUILayout.LabelField(InspectorTexts.FromHead, LiveText.Number(Vector3.Distance(follow.transform.position, head.position), "0.00", " m"));
+            EditorGUILayout.LabelField(InspectorTexts.FromHead, LiveText.Number(Vector3.Distance(position, head.position), "0.00", " m"));
         }
     }
 }

@@ -6,13 +6,12 @@ namespace Nowpose.Editor.Inspectors
 {
     [CustomEditor(typeof(CellActions))]
     [CanEditMultipleObjects]
-    sealed class CellActionsEditor : LiveInspector
+    sealed class CellActionsEditor : LiveInspector<CellActions>
     {
         protected override void DrawLive()
         {
-            var actions = (CellActions)target;
-            EditorGUILayout.LabelField(InspectorTexts.ConnectionRequested, actions.IsConnecting ? "yes" : "no");
-            EditorGUILayout.LabelField(InspectorTexts.NudgeOfVisu, LiveText.Number(actions.NudgeMs, "0.0", " ms"));
+            EditorGUILayout.LabelField(InspectorTexts.ConnectionRequested, Target.IsConnecting ? "yes" : "no");
+            EditorGUILayout.LabelField(InspectorTexts.NudgeOfVisu, LiveText.Number(Target.NudgeMs, "0.0", " ms"));
         }
     }
 }

@@ -7,10 +7,8 @@ namespace Nowpose.Editor.Inspectors
 {
     /// <summary>Shows the buttons of the headset's consent prompt, and a button that reads a code from the clipboard.</summary>
     [CustomEditor(typeof(CellPairing))]
-    sealed class CellPairingEditor : LiveInspector
+    sealed class CellPairingEditor : LiveInspector<CellPairing>
     {
-        CellPairing Target => (CellPairing)target;
-
         protected override void DrawLive()
         {
             if (!Target.isActiveAndEnabled)

@@ -5,14 +5,13 @@ namespace Nowpose.Editor.Inspectors
 {
     [CustomEditor(typeof(CellSignal))]
     [CanEditMultipleObjects]
-    sealed class CellSignalEditor : LiveInspector
+    sealed class CellSignalEditor : LiveInspector<CellSignal>
     {
         protected override void DrawLive()
         {
-            var shown = (CellSignal)target;
-            var session = shown.Follower?.Source;
-            EditorGUILayout.LabelField("Value", LiveText.WithSince(LiveText.Number(shown.Value, "0.###", ""), shown.Since, session));
-            EditorGUILayout.LabelField("State", LiveText.WithSince(shown.Fault ?? "current", shown.Follower?.FaultSince, session));
+            var session = Target.Follower?.Source;
+            EditorGUILayout.LabelField("Value", LiveText.WithSince(LiveText.Number(Target.Value, "0.###", ""), Target.Since, session));
+            EditorGUILayout.LabelField("State", LiveText.WithSince(Target.Fault ?? "current", Target.Follower?.FaultSince, session));
         }
     }
 }

@@ -5,13 +5,12 @@ namespace Nowpose.Editor.Inspectors
 {
     [CustomEditor(typeof(GripByReach))]
     [CanEditMultipleObjects]
-    sealed class GripByReachEditor : LiveInspector
+    sealed class GripByReachEditor : LiveInspector<GripByReach>
     {
         protected override void DrawLive()
         {
-            var shown = (GripByReach)target;
-            EditorGUILayout.LabelField("Holds", shown.Held ?? (shown.Fault == null ? "nothing" : "unknown"));
-            EditorGUILayout.LabelField("State", shown.Fault ?? "current");
+            EditorGUILayout.LabelField("Holds", Target.Held ?? (Target.Fault == null ? "nothing" : "unknown"));
+            EditorGUILayout.LabelField("State", Target.Fault ?? "current");
         }
     }
 }

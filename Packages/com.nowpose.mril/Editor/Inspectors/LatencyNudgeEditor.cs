@@ -9,10 +9,8 @@ namespace Nowpose.Editor.Inspectors
     /// Shows the speed, the shift and the marks. Like a headset menu, its buttons change the shift, add a mark and apply the result.
     /// </summary>
     [CustomEditor(typeof(LatencyNudge))]
-    sealed class LatencyNudgeEditor : LiveInspector
+    sealed class LatencyNudgeEditor : LiveInspector<LatencyNudge>
     {
-        LatencyNudge Target => (LatencyNudge)target;
-
         protected override void DrawLive()
         {
             if (!Target.isActiveAndEnabled)

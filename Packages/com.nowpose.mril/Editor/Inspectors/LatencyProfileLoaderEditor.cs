@@ -8,15 +8,14 @@ namespace Nowpose.Editor.Inspectors
 {
     [CustomEditor(typeof(LatencyProfileLoader))]
     [CanEditMultipleObjects]
-    sealed class LatencyProfileLoaderEditor : LiveInspector
+    sealed class LatencyProfileLoaderEditor : LiveInspector<LatencyProfileLoader>
     {
         protected override void DrawLive()
         {
-            var loader = (LatencyProfileLoader)target;
-            EditorGUILayout.LabelField("Profile", loader.Profile == null ? InspectorTexts.NoProfile : LatencyProfileMessages.Of(loader.Profile));
-            EditorGUILayout.LabelField("From", loader.From ?? "–");
-            if (loader.Problem != null) EditorGUILayout.HelpBox(loader.Problem, MessageType.Warning);
-            if (GUILayout.Button(InspectorTexts.FindProfile)) loader.Reload();
+            EditorGUILayout.LabelField("Profile", Target.Profile == null ? InspectorTexts.NoProfile : LatencyProfileMessages.Of(Target.Profile));
+            EditorGUILayout.LabelField("From", Target.From ?? "–");
+            if (Target.Problem != null) EditorGUILayout.HelpBox(Target.Problem, MessageType.Warning);
+            if (GUILayout.Button(InspectorTexts.FindProfile)) Target.Reload();
         }
     }
 }

@@ -5,8 +5,12 @@ using UnityEngine;
 namespace Nowpose.Editor.Inspectors
 {
     /// <summary>An inspector that shows the fields of a component, its missing references and, in play mode, its live values.</summary>
-    abstract class LiveInspector : UnityEditor.Editor
+    /// <typeparam name="T">Type of the component.</typeparam>
+    abstract class LiveInspector<T> : UnityEditor.Editor where T : Component
     {
+        /// <summary>The component; the first one if several objects are selected.</summary>
+        protected T Target => (T)target;
+
         public sealed override void OnInspectorGUI()
         {
             DrawDefaultInspector();

@@ -5,13 +5,12 @@ namespace Nowpose.Editor.Inspectors
 {
     [CustomEditor(typeof(LoadSweep))]
     [CanEditMultipleObjects]
-    sealed class LoadSweepEditor : LiveInspector
+    sealed class LoadSweepEditor : LiveInspector<LoadSweep>
     {
         protected override void DrawLive()
         {
-            var sweep = (LoadSweep)target;
-            EditorGUILayout.LabelField("Progress", sweep.Problem ?? sweep.Words ?? LiveText.Unknown);
-            EditorGUILayout.LabelField("Log", sweep.Path ?? LiveText.Unknown);
+            EditorGUILayout.LabelField("Progress", Target.Problem ?? Target.Words ?? LiveText.Unknown);
+            EditorGUILayout.LabelField("Log", Target.Path ?? LiveText.Unknown);
         }
     }
 }

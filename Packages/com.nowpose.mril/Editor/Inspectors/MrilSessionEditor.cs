@@ -11,7 +11,7 @@ namespace Nowpose.Editor.Inspectors
 {
     [CustomEditor(typeof(MrilSession))]
     [CanEditMultipleObjects]
-    sealed class MrilSessionEditor : LiveInspector
+    sealed class MrilSessionEditor : LiveInspector<MrilSession>
     {
         readonly StripChart _latency = new StripChart("L_app", "ms");
         readonly StripChart _horizon = new StripChart("Horizon", "ms");
@@ -20,8 +20,6 @@ namespace Nowpose.Editor.Inspectors
         readonly StatusTexts _texts = new StatusTexts();
 
         readonly DescriptionReader _described = new DescriptionReader();
-
-        MrilSession Target => (MrilSession)target;
 
         protected override void Sample(double time)
         {

@@ -6,13 +6,13 @@ namespace Nowpose.Editor.Inspectors
 {
     [CustomEditor(typeof(PlannedPath))]
     [CanEditMultipleObjects]
-    sealed class PlannedPathEditor : LiveInspector
+    sealed class PlannedPathEditor : LiveInspector<PlannedPath>
     {
         protected override void DrawLive()
         {
-            var shown = (PlannedPath)target;
-            EditorGUILayout.LabelField(InspectorTexts.DrawnAhead, shown.DrawnSeconds > 0 ? LiveText.Number(shown.DrawnSeconds, "0.00", " s") : "nothing");
-            EditorGUILayout.LabelField("State", shown.Fault ?? "drawn");
+            EditorGUILayout.LabelField(
+                InspectorTexts.DrawnAhead, Target.DrawnSeconds > 0 ? LiveText.Number(Target.DrawnSeconds, "0.00", " s") : "nothing");
+            EditorGUILayout.LabelField("State", Target.Fault ?? "drawn");
         }
     }
 }

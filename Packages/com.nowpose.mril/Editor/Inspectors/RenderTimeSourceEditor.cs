@@ -6,11 +6,9 @@ namespace Nowpose.Editor.Inspectors
 {
     [CustomEditor(typeof(RenderTimeSource))]
     [CanEditMultipleObjects]
-    sealed class RenderTimeSourceEditor : LiveInspector
+    sealed class RenderTimeSourceEditor : LiveInspector<RenderTimeSource>
     {
         readonly StripChart _renderTime = new StripChart("Render time", "ms");
-
-        RenderTimeSource Target => (RenderTimeSource)target;
 
         protected override void Sample(double time) => _renderTime.Take(time, Target.RenderTime?.TotalMilliseconds);
 

@@ -7,12 +7,10 @@ namespace Nowpose.Editor.Inspectors
 {
     [CustomEditor(typeof(RobotRig))]
     [CanEditMultipleObjects]
-    sealed class RobotRigEditor : LiveInspector
+    sealed class RobotRigEditor : LiveInspector<RobotRig>
     {
         readonly DescriptionReader _described = new DescriptionReader();
         string _refusal;
-
-        RobotRig Target => (RobotRig)target;
 
         protected override void DrawLive()
         {

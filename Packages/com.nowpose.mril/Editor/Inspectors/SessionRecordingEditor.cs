@@ -6,13 +6,12 @@ namespace Nowpose.Editor.Inspectors
 {
     [CustomEditor(typeof(SessionRecording))]
     [CanEditMultipleObjects]
-    sealed class SessionRecordingEditor : LiveInspector
+    sealed class SessionRecordingEditor : LiveInspector<SessionRecording>
     {
         protected override void DrawLive()
         {
-            var recording = (SessionRecording)target;
-            EditorGUILayout.LabelField("State", recording.IsRecording ? "recording" : recording.Problem ?? InspectorTexts.NotRecording);
-            EditorGUILayout.LabelField("File", recording.Path ?? LiveText.Unknown);
+            EditorGUILayout.LabelField("State", Target.IsRecording ? "Target" : Target.Problem ?? InspectorTexts.NotRecording);
+            EditorGUILayout.LabelField("File", Target.Path ?? LiveText.Unknown);
         }
     }
 }

@@ -8,17 +8,16 @@ namespace Nowpose.Editor.Inspectors
 {
     [CustomEditor(typeof(StationaryObject))]
     [CanEditMultipleObjects]
-    sealed class StationaryObjectEditor : LiveInspector
+    sealed class StationaryObjectEditor : LiveInspector<StationaryObject>
     {
         protected override void DrawLive()
         {
-            var shown = (StationaryObject)target;
-            var followed = shown.Followed;
-            EditorGUILayout.LabelField(InspectorTexts.MovedByHand, shown.IsMoving ? "now" : "no");
+            var followed = Target.Followed;
+            EditorGUILayout.LabelField(InspectorTexts.MovedByHand, Target.IsMoving ? "now" : "no");
             EditorGUILayout.LabelField("Parent", followed?.Parent ?? LiveText.Unknown);
             EditorGUILayout.LabelField(InspectorTexts.PoseFrom, followed?.Origin ?? LiveText.Unknown);
-            if (followed?.IsKnown == true) DrawPose(followed.World, shown.transform);
-            EditorGUILayout.LabelField("State", LiveText.WithSince(shown.Fault ?? "current", followed?.FaultSince, followed?.Source));
+            if (followed?.IsKnown == true) DrawPose(followed.World, Target.transform);
+            EditorGUILayout.LabelField("State", LiveText.WithSince(Target.Fault ?? "current", followed?.FaultSince, followed?.Source));
         }
 
         static void DrawPose(Transform world, Transform shown)

@@ -6,18 +6,17 @@ namespace Nowpose.Editor.Inspectors
 {
     [CustomEditor(typeof(StatusPanel))]
     [CanEditMultipleObjects]
-    sealed class StatusPanelEditor : LiveInspector
+    sealed class StatusPanelEditor : LiveInspector<StatusPanel>
     {
         protected override void DrawLive()
         {
-            var panel = (StatusPanel)target;
-            if (!panel.isActiveAndEnabled)
+            if (!Target.isActiveAndEnabled)
             {
                 EditorGUILayout.LabelField("Shows", InspectorTexts.Disabled);
                 return;
             }
-            EditorGUILayout.LabelField(InspectorTexts.LegibleUpTo, LiveText.Number(panel.LegibleMetres, "0.0", " m"));
-            StatusLines.Draw(panel.Texts);
+            EditorGUILayout.LabelField(InspectorTexts.LegibleUpTo, LiveText.Number(Target.LegibleMetres, "0.0", " m"));
+            StatusLines.Draw(Target.Texts);
         }
     }
 }

@@ -7,22 +7,20 @@ namespace Nowpose.Editor.Inspectors
 {
     [CustomEditor(typeof(TrackedObject))]
     [CanEditMultipleObjects]
-    sealed class TrackedObjectEditor : LiveInspector
+    sealed class TrackedObjectEditor : LiveInspector<TrackedObject>
     {
         // Does not offer to change a prefab asset, because Unity can add objects to a prefab only while the prefab is open.
         protected override void DrawAlways()
         {
-            var shown = (TrackedObject)target;
-            if (Application.isPlaying || EditorUtility.IsPersistent(target) || shown.Shows == RigPose.Held) return;
-            if (GUILayout.Button(InspectorTexts.AddGhost)) ObjectGhost.AddTo(shown);
+            if (Application.isPlaying || EditorUtility.IsPersistent(target) || Target.Shows == RigPose.Held) return;
+            if (GUILayout.Button(InspectorTexts.AddGhost)) ObjectGhost.AddTo(Target);
         }
 
         protected override void DrawLive()
         {
-            var shown = (TrackedObject)target;
-            EditorGUILayout.LabelField("Parent", shown.Parent ?? LiveText.Unknown);
-            EditorGUILayout.LabelField("State", shown.Fault ?? "current");
-            EditorGUILayout.LabelField("Gap", LiveText.Mm(1000 * shown.GapMetres));
+            EditorGUILayout.LabelField("Parent", Target.Parent ?? LiveText.Unknown);
+            EditorGUILayout.LabelField("State", Target.Fault ?? "current");
+            EditorGUILayout.LabelField("Gap", LiveText.Mm(1000 * Target.GapMetres));
         }
     }
 }

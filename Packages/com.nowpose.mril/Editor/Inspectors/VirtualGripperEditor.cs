@@ -6,13 +6,12 @@ namespace Nowpose.Editor.Inspectors
 {
     [CustomEditor(typeof(VirtualGripper))]
     [CanEditMultipleObjects]
-    sealed class VirtualGripperEditor : LiveInspector
+    sealed class VirtualGripperEditor : LiveInspector<VirtualGripper>
     {
         protected override void DrawLive()
         {
-            var gripper = (VirtualGripper)target;
-            EditorGUILayout.LabelField(InspectorTexts.AttachedTo, gripper.Flange == null ? LiveText.Unknown : gripper.Flange.name);
-            foreach (var finger in gripper.Fingers) EditorGUILayout.LabelField(LabelOf(finger), StateOf(finger, gripper.Rig));
+            EditorGUILayout.LabelField(InspectorTexts.AttachedTo, Target.Flange == null ? LiveText.Unknown : Target.Flange.name);
+            foreach (var finger in Target.Fingers) EditorGUILayout.LabelField(LabelOf(finger), StateOf(finger, Target.Rig));
         }
 
         static string LabelOf(GripperFinger finger) => finger.Joint.Length > 0 ? finger.Joint : InspectorTexts.FingerWithoutJoint;
