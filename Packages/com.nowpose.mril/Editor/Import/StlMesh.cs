@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Nowpose.Kinematics;
+using Nowpose.Unity;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -55,11 +56,8 @@ namespace Nowpose.Editor.Import
             return index;
         }
 
-        static Vector3 Corner(IReadOnlyList<float> coordinates, int at)
-        {
-            var (x, y, z) = UnityFrame.DirectionToUnity((coordinates[at], coordinates[at + 1], coordinates[at + 2]));
-            return new Vector3((float)x, (float)y, (float)z);
-        }
+        static Vector3 Corner(IReadOnlyList<float> coordinates, int at) =>
+            UnityFrame.DirectionToUnity((coordinates[at], coordinates[at + 1], coordinates[at + 2])).Vector();
 
         // Uses double, because Vector3.Normalize returns zero for the cross product of edges of one millimetre.
         static Vector3 Normal(Vector3 a, Vector3 b, Vector3 c)

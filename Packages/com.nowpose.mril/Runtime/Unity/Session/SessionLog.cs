@@ -107,11 +107,8 @@ namespace Nowpose.Unity.Session
             }
         }
 
-        static string MissingJointsOf(SessionStatistics statistics)
-        {
-            var joints = statistics == null ? "" : JointStatusText.Of(statistics.JointStatuses.Where(joint => joint.IsMissing));
-            return joints;
-        }
+        static string MissingJointsOf(SessionStatistics statistics) =>
+            statistics == null ? "" : JointStatusText.Of(statistics.JointStatuses.Where(joint => joint.IsMissing));
 
         void Follow(IReadOnlyList<ConditionMismatch> mismatches)
         {
