@@ -1,3 +1,4 @@
+using MathNet.Numerics.Interpolation;
 using Nowpose.Cli.Studies;
 
 namespace Nowpose.Benchmarks.Ablation;
@@ -55,11 +56,6 @@ static class ObjectMotions
             positions.Add(positions[^1] + seconds * speed * (random.Next(4) switch { 0 => 0, 1 => -0.5, _ => 1 }));
             times.Add(times[^1] + seconds);
         }
-        return t =>
-        {
-            var after = times.FindIndex(1, time => time >= t);
-            var share = (t - times[after - 1]) / (times[after] - times[after - 1]);
-            return positions[after - 1] + share * (positions[after] - positions[after - 1]);
-        };
+        return LinearSpline.InterpolateSorted([.. times], [.. positions]).Interpolate;
     }
 }

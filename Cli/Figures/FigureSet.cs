@@ -15,5 +15,5 @@ static class FigureSet
     /// <summary>Creates the studies. Short studies come first, so that an interrupted run has a partial result.</summary>
     /// <param name="cancel">Cancels work items that take long.</param>
     public static IReadOnlyList<IFigureStudy> Studies(FigureSettings settings, CancellationToken cancel) =>
-        [new DisplayStudy(settings), new Figure12(settings), new SwingStudy(settings, cancel), new ClockAndFieldStudy(settings), .. SweepStudy.All(settings)];
+        [new DisplayStudy(settings), new Figure12(settings), new SwingRuns(settings, cancel), new ClockAndFieldStudy(settings), .. SweepStudy.All(settings)];
 }

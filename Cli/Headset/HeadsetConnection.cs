@@ -15,10 +15,10 @@ static class HeadsetConnection
     public static ConnectionSettings Of(
         string host, int syncPort, int webSocketPort, string pin, string tokenFile, bool insecureLan, string name)
     {
-        var key = pin == null ? null : Checked("--pin", () => CertificatePin.Parse(pin));
+        var key = pin == null ? null : InputPlace.In("--pin", () => CertificatePin.Parse(pin));
         var token = tokenFile == null ? null : Token(tokenFile);
-        Checked("--name", () => new ConnectionSettings(Loopback, headsetName: name));
-        var isLoopback = Checked("--host", () => new ConnectionSettings(host, insecureLan: true)).IsLoopback;
+        InputPlace.In("--name", () => new ConnectionSettings(Loopback, headsetName: name));
+        var isLoopback = InputPlace.In("--host", () => new ConnectionSettings(host, insecureLan: true)).IsLoopback;
         if (key == null && !isLoopback && token != null) throw new InputException(HeadsetMessages.TokenUnencrypted(host));
         if (key == null && !isLoopback && !insecureLan) throw new InputException(HeadsetMessages.PlainNotAllowed(host));
         return new ConnectionSettings(host, syncPort, webSocketPort, key, token: token, insecureLan: insecureLan, headsetName: name);
@@ -27,19 +27,6 @@ static class HeadsetConnection
     static string Token(string path)
     {
         var text = OptionPath.Read("--token-file", path, () => File.ReadAllText(path).Trim());
-        return Checked($"--token-file: {path}", () => new ConnectionSettings(Loopback, token: text).Token);
-    }
-
-    // The settings name the fields of Unity's Inspector, so the option is added.
-    static T Checked<T>(string option, Func<T> read)
-    {
-        try
-        {
-            return read();
-        }
-        catch (InputException e)
-        {
-            throw new InputException($"{option}: {e.Message}", e);
-        }
+        return InputPlace.In($"--token-file: {path}", () => new ConnectionSettings(Loopback, token: text).Token);
     }
 }

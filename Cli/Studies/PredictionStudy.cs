@@ -6,22 +6,18 @@ namespace Nowpose.Cli.Studies;
 public static class PredictionStudy
 {
     /// <summary>Runs all phases and evaluates them together, in the unit of the motion.</summary>
-    public static ErrorComparison Run(AxisMotion motion, StudySettings settings, Func<JointPredictor> newPredictor) =>
-        Run(motion, settings, () => (StudySubject)newPredictor());
-
-    /// <summary>Runs all phases and evaluates them together, in the unit of the motion.</summary>
-    public static ErrorComparison Run(AxisMotion motion, StudySettings settings, Func<StudySubject> newSubject)
+    public static ErrorComparison Run(AxisMotion motion, StudySettings settings, Func<JointPredictor> newPredictor)
     {
         var errors = new ErrorCollector();
         for (var phase = 0; phase < settings.Phases; phase++)
-            foreach (var frame in Frames(motion, settings, newSubject(), phase))
+            foreach (var frame in Frames(motion, settings, newPredictor(), phase))
                 errors.Add(frame.Held - frame.Truth, frame.Predicted - frame.Truth);
         return errors.Result();
     }
 
     /// <summary>Gets the scored frames of one run.</summary>
     /// <param name="phase">Index of the run.</param>
-    public static IEnumerable<StudyFrame> Frames(AxisMotion motion, StudySettings settings, StudySubject subject, int phase)
+    public static IEnumerable<StudyFrame> Frames(AxisMotion motion, StudySettings settings, JointPredictor predictor, int phase)
     {
         var random = new Random(HashCode(settings.Seed, phase));
         var firstFrame = random.NextDouble() / settings.FrameRateHz;
@@ -31,10 +27,10 @@ public static class PredictionStudy
         {
             var time = firstFrame + i / settings.FrameRateHz;
             if (time > motion.Seconds) yield break;
-            underWay.Deliver(time, subject, displayed);
+            underWay.Deliver(time, predictor, displayed);
             displayed = time + settings.LatencyError;
-            var predicted = subject.At(displayed);
-            if (time >= settings.WarmUp) yield return new StudyFrame(time, motion.At(time), subject.Hold(), predicted, underWay.Newest);
+            var predicted = predictor.At(displayed).Position;
+            if (time >= settings.WarmUp) yield return new StudyFrame(time, motion.At(time), predictor.Hold, predicted);
         }
     }
 

@@ -6,24 +6,20 @@ namespace Nowpose.Cli.Studies;
 /// <summary>Samples a motion and delivers each sample to a predictor after its delay.</summary>
 sealed class SampleStream(AxisMotion motion, StudySettings settings, Random random)
 {
-    readonly PriorityQueue<(JointSample Sample, int Index), (double, int)> _underWay = new();
+    readonly PriorityQueue<JointSample, (double, int)> _underWay = new();
     readonly double _firstSample = random.NextDouble() * settings.SamplingInterval;
     int _next;
     double _newestArrival = double.NegativeInfinity;
 
-    /// <summary>Index of the newest delivered sample; −1 before the first one.</summary>
-    public int Newest { get; private set; } = -1;
-
     /// <param name="displayed">Newest displayed time, s; NaN before the first frame.</param>
-    public void Deliver(double until, StudySubject subject, double displayed)
+    public void Deliver(double until, JointPredictor predictor, double displayed)
     {
         while (_firstSample + _next * settings.SamplingInterval - settings.SamplingJitter - settings.StampedJitter + settings.Latency <= until)
             Send(_next++);
-        while (_underWay.TryPeek(out var next, out var arrival) && arrival.Item1 <= until)
+        while (_underWay.TryPeek(out var sample, out var arrival) && arrival.Item1 <= until)
         {
             _underWay.Dequeue();
-            subject.Add(next.Sample, displayed);
-            Newest = Math.Max(Newest, next.Index);
+            predictor.Add(sample, displayed);
         }
     }
 
@@ -40,7 +36,7 @@ sealed class SampleStream(AxisMotion motion, StudySettings settings, Random rand
         var sample = new JointSample(
             stated, motion.At(time) + noise, time, settings.HasVelocity ? motion.VelocityAt(time) : double.NaN,
             settings.HasAcceleration ? motion.AccelerationAt(time) : double.NaN);
-        _underWay.Enqueue((sample, index), (_newestArrival + delay, index));
+        _underWay.Enqueue(sample, (_newestArrival + delay, index));
     }
 
     double Uniform() => 2 * random.NextDouble() - 1;

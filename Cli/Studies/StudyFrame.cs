@@ -5,5 +5,4 @@ namespace Nowpose.Cli.Studies;
 /// <param name="Truth">True position at the display time.</param>
 /// <param name="Held">Position displayed without compensation.</param>
 /// <param name="Predicted">Predicted position.</param>
-/// <param name="NewestSample">Index of the newest sample that had arrived.</param>
-public readonly record struct StudyFrame(double Time, double Truth, double Held, double Predicted, int NewestSample);
+public readonly record struct StudyFrame(double Time, double Truth, double Held, double Predicted);

@@ -1,3 +1,4 @@
+using MathNet.Numerics.Interpolation;
 using Nowpose.Cli.Messages;
 using Nowpose.Cli.Replay;
 using Nowpose.Gateway.MotionRecordings;
@@ -61,7 +62,8 @@ sealed record SineTracks(double Start, double Interval, double[] Robot, double[]
     /// <param name="times">Increasing times, s.</param>
     public static SineTracks Of(double[] times, double[] robot, double[] shown, string path)
     {
-        Func<double, double> At(double[] places) => time => Between(times, places, time);
+        // A single picture gives no line; OnGrid rejects it.
+        Func<double, double> At(double[] places) => times.Length < 2 ? null : LinearSpline.InterpolateSorted(times, places).Interpolate;
         return OnGrid(times[0], times[^1], RowInterval.Of(times), At(robot), At(shown), path);
     }
 
@@ -88,14 +90,5 @@ sealed record SineTracks(double Start, double Interval, double[] Robot, double[]
             throw new InputException(SineMessages.TooFewPictures(path, Math.Max(0, count), MinInstants));
         double[] times = [.. Enumerable.Range(0, count).Select(i => start + i * interval)];
         return new SineTracks(start, interval, [.. times.Select(robot)], [.. times.Select(shown)]);
-    }
-
-    static double Between(double[] times, double[] places, double time)
-    {
-        var after = Array.BinarySearch(times, time);
-        if (after >= 0) return places[after];
-        after = Math.Clamp(~after, 1, times.Length - 1);
-        var share = (time - times[after - 1]) / (times[after] - times[after - 1]);
-        return places[after - 1] + share * (places[after] - places[after - 1]);
     }
 }

@@ -30,7 +30,7 @@ sealed record PictureReader(double ReadoutMs, double ControlDelayMs)
         var led = Wrapped(lit.Ms + ControlDelayMs + later);
         var visu = Wrapped(led - shown.Ms + TimestampCode.PeriodMs / 2) - TimestampCode.PeriodMs / 2;
         return visu is >= MinVisuMs and <= MaxVisuMs
-            ? new PictureResult(file, led, shown.Ms, visu, null) { Places = CodePlaces.Of(control, headset, later) }
+            ? new PictureResult(file, led, shown.Ms, visu, null) { Places = new CodePlaces(control.Center, headset.Center, later) }
             : PictureResult.Not(file, visu > MaxVisuMs
                 ? PictureFaults.FarApart(MaxVisuMs)
                 : PictureFaults.HeadsetAhead(-MinVisuMs));

@@ -99,6 +99,6 @@ sealed class PaperRun
     StudyFrame FrameOf(DemoFrames.Row row, double time)
     {
         double AngleOf(ToolPosition tool) => _swing.AngleOf(tool.X, tool.Y);
-        return new StudyFrame(time, AngleOf(TruthOf(row)), AngleOf(row.HeldTool), AngleOf(row.Tool), 0);
+        return new StudyFrame(time, AngleOf(TruthOf(row)), AngleOf(row.HeldTool), AngleOf(row.Tool));
     }
 }

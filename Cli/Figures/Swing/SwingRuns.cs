@@ -1,6 +1,7 @@
 using Nowpose.Cli.Demo;
 using Nowpose.Cli.Demo.Paper;
 using Nowpose.Cli.Demo.Virtual;
+using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Messages;
 using Nowpose.Cli.Studies;
 using Nowpose.Gateway.Options;
@@ -10,10 +11,11 @@ using Nowpose.Simulation;
 namespace Nowpose.Cli.Figures.Swing;
 
 /// <summary>
-/// Plays the swing through the complete processing chain in virtual time: sampling and time stamps in the control system, a simulated
-/// network, clock synchronisation by RANSAC, L_visu from pictures of the simulated display, prediction and forward kinematics.
+/// Figs 16 to 18: the paper's proof of concept, a virtual gripper on a swinging robot. Plays the swing through the complete processing chain in
+/// virtual time: sampling and time stamps in the control system, a simulated network, clock synchronisation by RANSAC, L_visu from pictures of the
+/// simulated display, prediction and forward kinematics.
 /// </summary>
-sealed class SwingRuns
+sealed class SwingRuns : IFigureStudy
 {
     static readonly SwingScenario[] Scenarios = [SwingScenario.Standard, SwingScenario.Cold];
 
@@ -61,6 +63,12 @@ sealed class SwingRuns
                 select new SwingFrames(Predicted[p], Scenarios[s], _swings[s], [.. Enumerable.Range(0, _settings.Phases).Select(run => _frames[s, p, run])])];
             return new SwingSet([.. all.Where(frames => frames.Scenario == SwingScenario.Standard)], all);
         }
+    }
+
+    public IEnumerable<Figure> Figures()
+    {
+        var set = Set;
+        return [Figure16.Of(set), Figure17.Of(set), Figure18.Of(set)];
     }
 
     LatencyProfile Measure()

@@ -5,7 +5,7 @@ namespace Nowpose.Headless.Tests.Cli.Calibrate;
 /// <summary>Simulates the readings of pictures of a headset that swings back and forth with its camera, without rendering the pictures.</summary>
 sealed record SwungPictures
 {
-    const double RefreshMs = 1000 / 59.94, Side = 120;
+    const double RefreshMs = 1000 / 59.94;
 
     public double LatencyMs { get; init; }
 
@@ -55,7 +55,7 @@ sealed record SwungPictures
             var headset = 200 + Scale * shown + Distortion * shown * shown + Noise();
             return new PictureResult($"p{i}", middle, Math.Floor(start), middle - Math.Floor(start) - 0.5, null)
             {
-                Places = new CodePlaces((640 + control, 360 + 0.2 * control), (640 + headset, 360 + 0.2 * headset), Side, LaterMs),
+                Places = new CodePlaces((640 + control, 360 + 0.2 * control), (640 + headset, 360 + 0.2 * headset), LaterMs),
             };
         })];
     }
