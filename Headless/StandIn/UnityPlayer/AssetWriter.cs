@@ -19,12 +19,6 @@ public sealed class AssetWriter(AssetLibrary library)
     /// <exception cref="AssetException">An object refers to an object that is neither below the root nor an asset of the library.</exception>
     public string Prefab(GameObject root) => UnityDocumentWriter.Write(HierarchyWriter.Write(library.Loaded, new[] { root }, root.name));
 
-    /// <summary>Writes a stand-in for a prefab of another package, with the fileIDs of the original.</summary>
-    /// <param name="root">Root object of the prefab. Its descendants are included.</param>
-    /// <param name="fileIds">FileIDs that some of the objects have in the original. The writer generates the fileIDs of the other objects.</param>
-    internal string Prefab(GameObject root, IReadOnlyDictionary<Object, long> fileIds) =>
-        UnityDocumentWriter.Write(HierarchyWriter.Write(library.Loaded, new[] { root }, root.name, fileIds));
-
     /// <summary>Writes a scene with the settings of a new scene.</summary>
     /// <param name="roots">Root objects of the scene in order.</param>
     /// <exception cref="AssetException">An object refers to an object that is neither below the roots nor an asset of the library.</exception>

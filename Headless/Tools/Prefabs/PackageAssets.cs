@@ -1,4 +1,3 @@
-using Nowpose.Prefabs.Mrtk3;
 using Nowpose.UnityPlayer;
 using UnityEngine;
 using Object = UnityEngine.Object;
@@ -41,8 +40,6 @@ sealed class PackageAssets
         TransformRounding.Apply(root.transform);
         return _writer.Prefab(root);
     }
-
-    public string Foreign(ForeignObject root) => _writer.Prefab(root.GameObject, root.FileIds);
 
     public string Scene(params GameObject[] roots) => _writer.Scene(roots);
 

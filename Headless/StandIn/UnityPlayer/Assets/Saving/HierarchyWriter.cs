@@ -10,7 +10,7 @@ namespace Nowpose.UnityPlayer.Assets.Saving;
 /// Writes a hierarchy as the documents of a prefab or scene. These documents are objects with all their fields, and prefab instances with their
 /// changes. This is the inverse of <see cref="HierarchyBuilder"/>.
 /// </summary>
-sealed class HierarchyWriter(string file, IReadOnlyDictionary<Object, long> given)
+sealed class HierarchyWriter(string file)
 {
     readonly FileIds _ids = new FileIds();
     readonly List<SavedObject> _saved = new List<SavedObject>();
@@ -19,12 +19,10 @@ sealed class HierarchyWriter(string file, IReadOnlyDictionary<Object, long> give
     /// <param name="assets">Assets to which the hierarchy may refer.</param>
     /// <param name="roots">Root objects; a prefab has one.</param>
     /// <param name="file">Name of the file in error messages.</param>
-    /// <param name="given">FileIDs that some objects must have; null if there are none.</param>
     /// <returns>The documents in the order of the hierarchy.</returns>
-    public static IReadOnlyList<UnityDocument> Write(
-        LoadedAssets assets, IReadOnlyList<GameObject> roots, string file, IReadOnlyDictionary<Object, long> given = null)
+    public static IReadOnlyList<UnityDocument> Write(LoadedAssets assets, IReadOnlyList<GameObject> roots, string file)
     {
-        var writer = new HierarchyWriter(file, given ?? new Dictionary<Object, long>());
+        var writer = new HierarchyWriter(file);
         foreach (var root in roots) writer.Collect(root);
         var references = new FileReferences(assets, writer._saved.ToDictionary(s => s.FileId, s => s.Target), roots);
         foreach (var saved in writer._saved) saved.Write(references);
@@ -43,7 +41,7 @@ sealed class HierarchyWriter(string file, IReadOnlyDictionary<Object, long> give
         var origin = PrefabOrigin.Of(target);
         if (origin == null)
         {
-            _saved.Add(new SavedObject(target, given.TryGetValue(target, out var fileId) ? fileId : _ids.Next(KeyOf(target, owner)), null));
+            _saved.Add(new SavedObject(target, _ids.Next(KeyOf(target, owner)), null));
             return;
         }
         if (!_instances.TryGetValue(origin.Instance, out var instance))
