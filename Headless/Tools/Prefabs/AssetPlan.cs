@@ -8,15 +8,6 @@ public static class AssetPlan
 {
     static readonly (string Path, Func<PackageAssets, string> Make)[] Assets =
     {
-        (PackagePaths.Hologram, MaterialAssets.Hologram),
-        (PackagePaths.Workpiece, MaterialAssets.Workpiece),
-        (PackagePaths.Arm, MaterialAssets.Arm),
-        (PackagePaths.Ghost, MaterialAssets.Ghost),
-        (PackagePaths.Occluder, MaterialAssets.Occluder),
-        (PackagePaths.Panel, MaterialAssets.Panel),
-        (PackagePaths.Timestamp, MaterialAssets.Timestamp),
-        (PackagePaths.Solid, MaterialAssets.Solid),
-        (PackagePaths.Text, MaterialAssets.Text),
         (PackagePaths.Youbot, w => RobotAssets.Description(w, PackagePaths.Youbot, PackagePaths.YoubotUrdf)),
         (PackagePaths.Ur5, w => RobotAssets.Description(w, PackagePaths.Ur5, PackagePaths.Ur5Urdf)),
         (PackagePaths.Ur3e, w => RobotAssets.Description(w, PackagePaths.Ur3e, PackagePaths.Ur3eUrdf)),

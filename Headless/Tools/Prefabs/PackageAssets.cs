@@ -44,6 +44,4 @@ sealed class PackageAssets
     public string Scene(params GameObject[] roots) => _writer.Scene(roots);
 
     public string Asset(ScriptableObject asset) => _writer.Asset(asset);
-
-    public string Asset(Material material) => _writer.Asset(material);
 }

@@ -14,9 +14,6 @@ static class PackagePaths
 
     const string HoloLens = "Packages/com.nowpose.mril/Samples~/HoloLens 2 (MRTK3)/";
 
-    public const string HologramShader = Runtime + "Shaders/Hologram.shader";
-    public const string OccluderShader = Runtime + "Shaders/Occluder.shader";
-    public const string TextShader = Runtime + "Shaders/Text.shader";
     public const string Hologram = Runtime + "Materials/Hologram.mat";
     public const string Arm = Runtime + "Materials/Arm.mat";
     public const string Ghost = Runtime + "Materials/Ghost.mat";

@@ -3,7 +3,7 @@ using Nowpose.Prefabs;
 using Nowpose.Prefabs.Pictures;
 
 const string Help = """
-    Writes the prefabs, materials, robot descriptions, settings and scenes of the Unity project that contains the current folder.
+    Writes the prefabs, robot descriptions, settings and scenes of the Unity project that contains the current folder.
 
       (no option)  write assets that differ, and their .meta files if missing
       --check      write nothing, only list assets that differ

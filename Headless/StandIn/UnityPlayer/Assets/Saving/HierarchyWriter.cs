@@ -15,6 +15,7 @@ sealed class HierarchyWriter(string file)
     readonly FileIds _ids = new FileIds();
     readonly List<SavedObject> _saved = new List<SavedObject>();
     readonly Dictionary<PrefabInstance, PrefabInstance> _instances = new Dictionary<PrefabInstance, PrefabInstance>();
+
     /// <summary>Writes a hierarchy.</summary>
     /// <param name="assets">Assets to which the hierarchy may refer.</param>
     /// <param name="roots">Root objects; a prefab has one.</param>
