@@ -42,8 +42,6 @@ static class DocumentPictures
             paths.Add(Path.Combine(folder, file));
             OutputFile.Write(paths[^1], new SvgPlot(plot, Narrow).Draw());
         }
-        paths.Add(Path.Combine(folder, LedMatrixPicture.File));
-        OutputFile.Write(paths[^1], LedMatrixPicture.Draw());
         return paths;
     }
 }

@@ -19,8 +19,8 @@ sealed class SvgWriter
 
     public void Add(FormattableString text) => _svg.Append(FormattableString.Invariant(text));
 
-    public void Text(double x, double y, string anchor, string text, string colour = Muted, int size = 12) =>
-        Add($"<text x=\"{x:0.#}\" y=\"{y:0.#}\" text-anchor=\"{anchor}\" fill=\"{colour}\" {Font} font-size=\"{size}\">{text}</text>\n");
+    public void Text(double x, double y, string anchor, string text, string colour = Muted) =>
+        Add($"<text x=\"{x:0.#}\" y=\"{y:0.#}\" text-anchor=\"{anchor}\" fill=\"{colour}\" {Font} font-size=\"12\">{text}</text>\n");
 
     /// <summary>Ends the picture and returns the file.</summary>
     public string Finish() => _svg.Append("</svg>\n").ToString();
