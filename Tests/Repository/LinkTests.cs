@@ -37,6 +37,16 @@ public sealed partial class LinkTests
         Assert.That(dead, Is.Empty);
     }
 
+    [Test]
+    public void Images_OfTheManual_AreShownByADocument()
+    {
+        var shown = Documents.SelectMany(path => Targets(path).Select(target => FileOf(path, target))).ToHashSet();
+        var images = RepositoryFiles.All.Where(f => f.StartsWith(RepositoryFiles.Package + "/Documentation~/images/", StringComparison.Ordinal)).ToList();
+
+        Assert.That(images, Is.Not.Empty);
+        Assert.That(images.Where(image => !shown.Contains(image)), Is.Empty);
+    }
+
     [TestCaseSource(nameof(Documents))]
     public void PackageDocument_Links_HaveNoPlaceholder(string path)
     {

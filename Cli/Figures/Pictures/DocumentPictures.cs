@@ -13,7 +13,6 @@ static class DocumentPictures
         ("error-over-sampling-interval.svg", "13a", 0, Narrow, ["quadratic", "adaptive"]),
         ("error-over-stamp-error.svg", "13d", 0, Narrow, ["quadratic", "adaptive"]),
         ("swing.svg", "16", 0, Wide, ["ground truth", "uncompensated", "quadratic", "adaptive"]),
-        ("swing-error.svg", "16", 1, Wide, ["uncompensated", "quadratic", "adaptive"]),
         ("clock-error.svg", "8", 0, Wide, ["ransac", "default"]),
         ("visu-at-normal-load.svg", "10", 0, Narrow, ["render time", "L_visu"]),
         ("visu-at-high-load.svg", "10", 1, Narrow, ["render time", "L_visu"]),
@@ -25,11 +24,6 @@ static class DocumentPictures
     public static IReadOnlyList<string> Write(string folder, IReadOnlyList<Figure> figures)
     {
         var paths = new List<string>();
-        if (figures.FirstOrDefault(f => f.Number == "17") is Figure arm)
-        {
-            paths.Add(Path.Combine(folder, "arm.svg"));
-            OutputFile.Write(paths[^1], ArmPicture.Of([.. arm.Drawings.Where(drawing => drawing.Title.EndsWith(": adaptive", StringComparison.Ordinal))]));
-        }
         foreach (var (file, number, index, width, traces) in Pictures)
         {
             if (figures.FirstOrDefault(f => f.Number == number) is not Figure figure) continue;
