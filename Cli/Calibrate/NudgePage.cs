@@ -30,7 +30,7 @@ static class NudgePage
         VisuMs = result.Visualisation.Length.TotalMilliseconds, VisuSpreadMs = result.Spread.TotalMilliseconds, result.OffsetMm, Measurements = result.Count,
     });
 
-    public static CalibrationSection Section(NudgeMarks marks, NudgeResult result)
+    static CalibrationSection Section(NudgeMarks marks, NudgeResult result)
     {
         var visuMs = result.Visualisation.Length.TotalMilliseconds;
         // Extends the line so that the marks do not lie on the plot's edges.

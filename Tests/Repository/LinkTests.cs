@@ -1,4 +1,5 @@
 using System.Text.RegularExpressions;
+using System.Xml.Linq;
 using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Repository;
@@ -6,6 +7,11 @@ namespace Nowpose.Headless.Tests.Repository;
 public sealed partial class LinkTests
 {
     static IEnumerable<string> Documents => RepositoryFiles.All.Where(f => Path.GetExtension(f) == ".md");
+
+    static IEnumerable<string> Images =>
+        RepositoryFiles.All.Where(f => f.StartsWith(RepositoryFiles.Package + "/Documentation~/images/", StringComparison.Ordinal));
+
+    static IEnumerable<string> Drawings => Images.Where(f => Path.GetExtension(f) == ".svg");
 
     [TestCaseSource(nameof(Documents))]
     public void Document_Links_PointToFilesAndHeadings(string path)
@@ -41,10 +47,18 @@ public sealed partial class LinkTests
     public void Images_OfTheManual_AreShownByADocument()
     {
         var shown = Documents.SelectMany(path => Targets(path).Select(target => FileOf(path, target))).ToHashSet();
-        var images = RepositoryFiles.All.Where(f => f.StartsWith(RepositoryFiles.Package + "/Documentation~/images/", StringComparison.Ordinal)).ToList();
 
-        Assert.That(images, Is.Not.Empty);
-        Assert.That(images.Where(image => !shown.Contains(image)), Is.Empty);
+        Assert.That(Images, Is.Not.Empty);
+        Assert.That(Images.Where(image => !shown.Contains(image)), Is.Empty);
+    }
+
+    [TestCaseSource(nameof(Drawings))]
+    public void Drawing_OfTheManual_HasASizeAndADescription(string path)
+    {
+        var names = XDocument.Parse(RepositoryFiles.Read(path)).Root.Attributes().Select(attribute => attribute.Name.LocalName).ToList();
+
+        Assert.That(names, Does.Contain("width").And.Contain("height"));
+        Assert.That(names, Does.Contain("aria-label").Or.Contain("aria-labelledby"), "screen readers read the description");
     }
 
     [TestCaseSource(nameof(Documents))]

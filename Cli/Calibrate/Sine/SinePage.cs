@@ -41,7 +41,7 @@ static class SinePage
         ? SinePageTexts.VisuResult(visu, result.DeviationMs, result.TotalMs)
         : SinePageTexts.LagResult(result.TotalMs, result.DeviationMs);
 
-    public static CalibrationSection Motions(SineResult result)
+    static CalibrationSection Motions(SineResult result)
     {
         double[] time = [.. Enumerable.Range(0, result.Tracks.Shown.Length).Select(i => i * result.Tracks.Interval)];
         PlotTrace Trace(string label, string look, double[] at, double[] places) => new(label, look, at, Scaled(places));
@@ -54,7 +54,7 @@ static class SinePage
             ])]);
     }
 
-    public static CalibrationSection Correlations(SineResult result) => new(SinePageTexts.Correlation, null, SinePageTexts.CorrelationNote,
+    static CalibrationSection Correlations(SineResult result) => new(SinePageTexts.Correlation, null, SinePageTexts.CorrelationNote,
         [new("Over the lag", Lag, Correlation, [new("correlation", Looks.Adaptive,
             [.. result.Lag.Lags.Select(each => 1000 * each)], [.. result.Lag.Correlations.Select(each => (double?)each)])])
         {

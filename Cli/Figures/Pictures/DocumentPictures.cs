@@ -31,11 +31,6 @@ static class DocumentPictures
             paths.Add(Path.Combine(folder, file));
             OutputFile.Write(paths[^1], new SvgPlot(plot, width).Draw());
         }
-        foreach (var (file, plot) in CalibrationPictures.All())
-        {
-            paths.Add(Path.Combine(folder, file));
-            OutputFile.Write(paths[^1], new SvgPlot(plot, Narrow).Draw());
-        }
         return paths;
     }
 }
