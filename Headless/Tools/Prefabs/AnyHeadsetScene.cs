@@ -43,18 +43,8 @@ static class AnyHeadsetScene
     internal static void AddShape(PackageAssets assets, Transform handle)
     {
         var look = assets.Load<Material>(PackagePaths.Ghost);
-        AddBlock("Block", handle, look, Vector3.zero, new Vector3(0.06f, 0.06f, 0.06f));
-        AddBlock("Nose", handle, look, new Vector3(0, 0, 0.09f), new Vector3(0.015f, 0.015f, 0.12f));
-    }
-
-    static void AddBlock(string name, Transform parent, Material look, Vector3 place, Vector3 size)
-    {
-        var block = GameObject.CreatePrimitive(PrimitiveType.Cube);
-        block.name = name;
-        block.transform.SetParent(parent, worldPositionStays: false);
-        block.transform.localPosition = place;
-        block.transform.localScale = size;
-        block.GetComponent<MeshRenderer>().sharedMaterial = look;
+        Children.AddPrimitive(PrimitiveType.Cube, "Block", handle, Vector3.zero, new Vector3(0.06f, 0.06f, 0.06f), look);
+        Children.AddPrimitive(PrimitiveType.Cube, "Nose", handle, new Vector3(0, 0, 0.09f), new Vector3(0.015f, 0.015f, 0.12f), look);
     }
 
     static void AddButtons(PackageAssets assets, MrilSession session)

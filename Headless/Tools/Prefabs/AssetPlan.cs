@@ -7,13 +7,8 @@ namespace Nowpose.Prefabs;
 public static class AssetPlan
 {
     static readonly (string Path, Func<PackageAssets, string> Make)[] Assets =
-    {
-        (PackagePaths.Youbot, w => RobotAssets.Description(w, PackagePaths.Youbot, PackagePaths.YoubotUrdf)),
-        (PackagePaths.Ur5, w => RobotAssets.Description(w, PackagePaths.Ur5, PackagePaths.Ur5Urdf)),
-        (PackagePaths.Ur3e, w => RobotAssets.Description(w, PackagePaths.Ur3e, PackagePaths.Ur3eUrdf)),
-        (PackagePaths.Ur5e, w => RobotAssets.Description(w, PackagePaths.Ur5e, PackagePaths.Ur5eUrdf)),
-        (PackagePaths.Ur10e, w => RobotAssets.Description(w, PackagePaths.Ur10e, PackagePaths.Ur10eUrdf)),
-        (PackagePaths.Ur16e, w => RobotAssets.Description(w, PackagePaths.Ur16e, PackagePaths.Ur16eUrdf)),
+    [
+        .. PackagePaths.Robots.Select(path => (path, (Func<PackageAssets, string>)(w => RobotAssets.Description(w, path)))),
         (PackagePaths.Settings, w => RobotAssets.Settings(w, PackagePaths.Settings)),
         (PackagePaths.Gripper, GripperPrefab.Make),
         (PackagePaths.PoseLabel, Texts.PoseLabel),
@@ -39,7 +34,7 @@ public static class AssetPlan
         (PackagePaths.HoloLensMarker, HoloLensPrefabs.Marker),
         (PackagePaths.HoloLensConsent, HoloLensPrefabs.Consent),
         (PackagePaths.HoloLensScene, HoloLensScene.Make),
-    };
+    ];
 
     public static IEnumerable<string> Paths => Assets.Select(a => a.Path);
 

@@ -23,18 +23,8 @@ static class PackagePaths
     public const string Workpiece = Runtime + "Materials/Workpiece.mat";
     public const string Text = Runtime + "Materials/Text.mat";
     public const string Timestamp = Runtime + "Materials/Timestamp.mat";
-    public const string YoubotUrdf = Runtime + "Robots/youbot.urdf";
-    public const string Ur5Urdf = Runtime + "Robots/ur5.urdf";
     public const string Youbot = Runtime + "Robots/youBot.asset";
     public const string Ur5 = Runtime + "Robots/UR5.asset";
-    public const string Ur3eUrdf = Runtime + "Robots/ur3e.urdf";
-    public const string Ur5eUrdf = Runtime + "Robots/ur5e.urdf";
-    public const string Ur10eUrdf = Runtime + "Robots/ur10e.urdf";
-    public const string Ur16eUrdf = Runtime + "Robots/ur16e.urdf";
-    public const string Ur3e = Runtime + "Robots/UR3e.asset";
-    public const string Ur5e = Runtime + "Robots/UR5e.asset";
-    public const string Ur10e = Runtime + "Robots/UR10e.asset";
-    public const string Ur16e = Runtime + "Robots/UR16e.asset";
     public const string Settings = Runtime + "Settings/Default Session Settings.asset";
     public const string Gripper = Runtime + "Prefabs/Virtual Gripper.prefab";
     public const string PoseLabel = Runtime + "Prefabs/Pose Label.prefab";
@@ -60,4 +50,10 @@ static class PackagePaths
     public const string HoloLensConsent = HoloLens + "Prefabs/Consent Prompt.prefab";
     public const string HoloLensScene = HoloLens + "HoloLens 2 (MRTK3).unity";
     public const string DemoScene = "Assets/Scenes/Demo.unity";
+
+    /// <summary>The descriptions of all robots.</summary>
+    public static readonly string[] Robots =
+    [
+        Youbot, Ur5, Runtime + "Robots/UR3e.asset", Runtime + "Robots/UR5e.asset", Runtime + "Robots/UR10e.asset", Runtime + "Robots/UR16e.asset",
+    ];
 }

@@ -7,27 +7,24 @@ namespace Nowpose.Prefabs;
 /// <summary>Creates the objects around the robot in a desktop scene.</summary>
 static class Props
 {
+    /// <summary>Creates the camera of a desktop scene.</summary>
     /// <param name="position">Position in metres.</param>
     /// <param name="eulerAngles">Euler angles in degrees.</param>
     public static GameObject Camera(Vector3 position, Vector3 eulerAngles)
     {
-        var camera = new GameObject("Main Camera") { tag = "MainCamera" };
+        var camera = HeadsetCamera();
         camera.transform.position = position;
         camera.transform.eulerAngles = eulerAngles;
-        var settings = camera.AddComponent<Camera>();
-        settings.clearFlags = CameraClearFlags.SolidColor;
+        var settings = camera.GetComponent<Camera>();
         settings.backgroundColor = new Color(0.1f, 0.11f, 0.13f, 0);
         settings.nearClipPlane = 0.05f;
-        settings.farClipPlane = 100;
         settings.fieldOfView = 50;
-        settings.depth = -1;
-        AddListener(camera);
         return camera;
     }
 
     /// <summary>
-    /// Creates a camera that a headset moves. Its background is black, which a see-through display shows as transparent. With a near clip plane at 0.1 m, a
-    /// step of a 16-bit depth buffer is 0.34 mm at 1.5 m; at 0.02 m it would be 1.7 mm.
+    /// Creates a camera that a headset moves. Its background is black, which a see-through display shows as transparent. With a near clip plane at
+    /// 0.1 m, a step of a 16-bit depth buffer is 0.34 mm at 1.5 m; at 0.02 m it would be 1.7 mm.
     /// </summary>
     public static GameObject HeadsetCamera()
     {
@@ -38,7 +35,10 @@ static class Props
         settings.nearClipPlane = 0.1f;
         settings.farClipPlane = 100;
         settings.depth = -1;
-        AddListener(camera);
+        // Unity warns while it plays a scene without an audio listener.
+        var listener = camera.AddComponent<OpaqueComponent>();
+        listener.ClassName = "AudioListener";
+        listener.Fields.Add("m_Enabled", Nodes.Number(1));
         return camera;
     }
 
@@ -60,20 +60,10 @@ static class Props
     /// <summary>Creates a ground of 4 m × 4 m at the height of the robot's base.</summary>
     public static GameObject Ground(PackageAssets assets)
     {
-        var ground = GameObject.CreatePrimitive(PrimitiveType.Quad);
-        ground.name = "Ground";
+        var material = assets.Load<Material>(PackagePaths.Solid);
+        var ground = Children.AddPrimitive(PrimitiveType.Quad, "Ground", null, Vector3.zero, new Vector3(4, 4, 1), material);
         ground.transform.eulerAngles = new Vector3(90, 0, 0);
-        ground.transform.localScale = new Vector3(4, 4, 1);
-        ground.GetComponent<MeshRenderer>().sharedMaterial = assets.Load<Material>(PackagePaths.Solid);
         return ground;
-    }
-
-    // Unity warns while it plays a scene without an audio listener.
-    static void AddListener(GameObject camera)
-    {
-        var listener = camera.AddComponent<OpaqueComponent>();
-        listener.ClassName = "AudioListener";
-        listener.Fields.Add("m_Enabled", Nodes.Number(1));
     }
 
     static YamlDotNet.RepresentationModel.YamlMappingNode LightFields(bool hasShadows) => Nodes.Lines(

@@ -6,14 +6,14 @@ namespace Nowpose.Prefabs;
 static class RobotAssets
 {
     /// <summary>
-    /// Creates an asset that contains the URDF's text and that prefabs can reference. An importer could also create it from a .urdf file, but only
-    /// Unity can determine the fileIDs of imported objects.
+    /// Creates an asset that prefabs can reference. It contains the text of the .urdf file beside it, whose name is in lower case. An importer could
+    /// also create it from a .urdf file, but only Unity can determine the fileIDs of imported objects.
     /// </summary>
-    public static string Description(PackageAssets assets, string path, string urdfPath)
+    public static string Description(PackageAssets assets, string path)
     {
         var asset = ScriptableObject.CreateInstance<RobotDescriptionAsset>();
         asset.name = Path.GetFileNameWithoutExtension(path);
-        Fields.Set(asset, "_urdf", assets.ReadText(urdfPath));
+        Fields.Set(asset, "_urdf", assets.ReadText($"{Path.GetDirectoryName(path)}/{asset.name.ToLowerInvariant()}.urdf"));
         return assets.Asset(asset);
     }
 

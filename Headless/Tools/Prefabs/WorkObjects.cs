@@ -151,14 +151,9 @@ static class WorkObjects
     /// <param name="size">Size in metres along Unity's axes: right, up, forward.</param>
     static GameObject AddCube(GameObject parent, string name, in RigidTransform pose, Vector3 size, Material material)
     {
-        var cube = GameObject.CreatePrimitive(PrimitiveType.Cube);
-        cube.name = name;
-        cube.transform.SetParent(parent.transform, worldPositionStays: false);
         var place = UnityPoses.ToWorld(pose);
-        cube.transform.localPosition = place.position;
+        var cube = Children.AddPrimitive(PrimitiveType.Cube, name, parent.transform, place.position, size, material);
         cube.transform.localRotation = place.rotation;
-        cube.transform.localScale = size;
-        cube.GetComponent<MeshRenderer>().sharedMaterial = material;
         return cube;
     }
 }

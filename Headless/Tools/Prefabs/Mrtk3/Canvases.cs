@@ -28,15 +28,8 @@ static class Canvases
     }
 
     /// <summary>Adds the background of the buttons.</summary>
-    public static void AddGround(PackageAssets assets, Transform canvas, Vector3 place, Vector2 size)
-    {
-        var ground = GameObject.CreatePrimitive(PrimitiveType.Quad);
-        ground.name = "Ground";
-        ground.transform.SetParent(canvas, worldPositionStays: false);
-        ground.transform.localPosition = place;
-        ground.transform.localScale = new Vector3(size.x, size.y, 1);
-        ground.GetComponent<MeshRenderer>().sharedMaterial = assets.Load<Material>(PackagePaths.Panel);
-    }
+    public static void AddGround(PackageAssets assets, Transform canvas, Vector3 place, Vector2 size) => Children.AddPrimitive(
+        PrimitiveType.Quad, "Ground", canvas, place, new Vector3(size.x, size.y, 1), assets.Load<Material>(PackagePaths.Panel));
 
     public static TextMesh AddText(PackageAssets assets, string name, Transform canvas, Vector3 place)
     {
