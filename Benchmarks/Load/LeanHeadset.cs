@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.Net.Sockets;
+using System.Net.WebSockets;
 using Nowpose.Protocol;
 
 namespace Nowpose.Benchmarks.Load;
@@ -15,7 +16,7 @@ sealed class LeanHeadset : IDisposable
     readonly long _intervalNs;
     readonly string _diagnostics;
     readonly byte[] _frame = new byte[SyncFrame.Size];
-    Socket _positions;
+    WebSocket _positions;
     Socket _sync;
     uint _sequence;
     long _newestNs;
@@ -77,7 +78,8 @@ sealed class LeanHeadset : IDisposable
             await work();
             Problem ??= what + ": the gateway closed it";
         }
-        catch (Exception end) when (end is SocketException or ObjectDisposedException or InputException)
+        catch (Exception end) when (end is SocketException or WebSocketException or OperationCanceledException or ObjectDisposedException
+            or InputException)
         {
             Problem ??= $"{what}: {end.Message}";
         }
@@ -85,30 +87,20 @@ sealed class LeanHeadset : IDisposable
 
     async Task ReceiveAsync()
     {
-        var reader = new FrameReader();
+        var buffer = new byte[32 * 1024];
+        var length = 0;
         while (true)
         {
-            var count = await _positions.ReceiveAsync(reader.Room);
+            var part = await _positions.ReceiveAsync(buffer.AsMemory(length), CancellationToken.None);
             var arrival = Stopwatch.GetTimestamp();
-            if (count == 0) return;
-            reader.Added(count);
-            if (!Take(reader, arrival)) return;
-        }
-    }
-
-    bool Take(FrameReader reader, long arrival)
-    {
-        var at = 0;
-        while (reader.TryTake(ref at, out var opcode, out var payload))
-        {
-            if (opcode == FrameReader.Close) return false;
-            if (opcode == FrameReader.Ping) _ = LeanSocket.SendPongAsync(_positions, payload);
-            else if (FrameReader.TryReadStamp(payload, out var stampNs)) Count(stampNs, arrival);
+            if (part.MessageType == WebSocketMessageType.Close) return;
+            length += part.Count;
+            if (length == buffer.Length) throw new InputException("the gateway sent a message that is too long for a joint state");
+            if (!part.EndOfMessage) continue;
+            if (StampReader.TryRead(buffer.AsSpan(0, length), out var stampNs)) Count(stampNs, arrival);
             else Interlocked.Increment(ref _refused);
+            length = 0;
         }
-
-        reader.Discard(at);
-        return true;
     }
 
     void Count(long stampNs, long arrival)

@@ -1,5 +1,5 @@
 using System.Net;
-using System.Net.Sockets;
+using System.Net.WebSockets;
 using Nowpose.Protocol;
 
 namespace Nowpose.Benchmarks.Load;
@@ -37,7 +37,7 @@ static class StalledHeadset
             await StallAsync(server, stop);
             return null;
         }
-        catch (Exception end) when (end is SocketException or IOException)
+        catch (Exception end) when (end is WebSocketException)
         {
             // The gateway closed the connection.
             stop.ThrowIfCancellationRequested();

@@ -13,34 +13,17 @@ public class LoadMeasureTests
     static byte[] Message => Encoding.UTF8.GetBytes(
         RosbridgeWriter.Publish(RosTopics.JointStates, new JointStateMessage(Stamp, ["a"], [1]), RosTimeForm.Sec));
 
-    [TestCase(1)]
-    [TestCase(7)]
-    [TestCase(1000)]
-    public void FrameReader_PiecesOfAnyLength_ReadsAllFrames(int pieceLength)
+    [Test]
+    public void TryRead_JointState_ReturnsItsTimeStamp()
     {
-        // The frames have no mask, like the frames of a server.
-        byte[] frame = [0x81, (byte)126, (byte)(Message.Length >> 8), (byte)Message.Length, .. Message];
-        byte[] stream = [.. frame, 0x89, 2, 1, 2, .. frame];
-        var reader = new FrameReader();
-        var (stamps, pings) = (new List<long>(), 0);
+        Assert.That(StampReader.TryRead(Message, out var nanoseconds));
+        Assert.That(nanoseconds, Is.EqualTo(Stamp.Nanoseconds));
+    }
 
-        foreach (var piece in stream.Chunk(pieceLength))
-        {
-            piece.CopyTo(reader.Room);
-            reader.Added(piece.Length);
-            var at = 0;
-            while (reader.TryTake(ref at, out var opcode, out var payload))
-            {
-                if (opcode == FrameReader.Ping) pings++;
-                else if (FrameReader.TryReadStamp(payload, out var stamp)) stamps.Add(stamp);
-            }
-
-            reader.Discard(at);
-        }
-
-        Assert.That(Message.Length, Is.GreaterThan(125), "the message is long enough for the longer frame header");
-        Assert.That(stamps, Is.EqualTo(new[] { Stamp.Nanoseconds, Stamp.Nanoseconds }));
-        Assert.That(pings, Is.EqualTo(1));
+    [Test]
+    public void TryRead_OtherMessage_ReturnsFalse()
+    {
+        Assert.That(StampReader.TryRead("{\"op\":\"status\",\"level\":\"error\",\"msg\":\"\"}"u8, out _), Is.False);
     }
 
     [Test]
