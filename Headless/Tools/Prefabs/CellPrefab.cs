@@ -60,6 +60,6 @@ sealed class CellPrefab
         var status = panel.AddComponent<StatusPanel>();
         Fields.Set(status, "_session", _session);
         Fields.Set(status, "_cell", cell);
-        Fields.Set(status, "_ground", _assets.Load<Material>(PackagePaths.Panel));
+        Fields.Set(status, "_ground", _assets.Load<Material>(PackagePaths.Backdrop));
     }
 }

@@ -18,6 +18,7 @@ static class PackagePaths
     public const string Arm = Runtime + "Materials/Arm.mat";
     public const string Ghost = Runtime + "Materials/Ghost.mat";
     public const string Occluder = Runtime + "Materials/Occluder.mat";
+    public const string Backdrop = Runtime + "Materials/Backdrop.mat";
     public const string Panel = Runtime + "Materials/Panel.mat";
     public const string Solid = Runtime + "Materials/Solid.mat";
     public const string Workpiece = Runtime + "Materials/Workpiece.mat";

@@ -79,21 +79,32 @@ public sealed class PackageMaterialsTests
     /// <summary>The ghost writes depth, so it must be drawn after all parts that it must not hide.</summary>
     [Test]
     public void GhostMaterial_RenderQueue_IsAfterOtherVirtualParts(
-        [Values("Hologram", "Arm", "Timestamp", "Text", "Panel", "Solid", "Occluder")] string other)
+        [Values("Hologram", "Arm", "Timestamp", "Text", "Backdrop", "Panel", "Solid", "Occluder")] string other)
     {
         Assert.That(Load("Ghost").renderQueue, Is.GreaterThan(Load(other).renderQueue));
     }
 
-    /// <summary>The background is drawn before the virtual parts. If it wrote depth, the parts behind it would not be drawn at all.</summary>
-    [Test]
-    public void PanelMaterial_Depth_IsNotWritten()
+    /// <summary>
+    /// The panel's background is drawn before the virtual parts. If it wrote depth, the parts behind it would not be drawn at all. All other parts need
+    /// depth, because late-stage reprojection stabilises a part by its depth.
+    /// </summary>
+    [TestCase("Backdrop", 0)]
+    [TestCase("Arm", 1)]
+    [TestCase("Ghost", 1)]
+    [TestCase("Hologram", 1)]
+    [TestCase("Panel", 1)]
+    [TestCase("Solid", 1)]
+    [TestCase("Timestamp", 1)]
+    [TestCase("Workpiece", 1)]
+    public void Material_Depth_IsWrittenExceptByTheBackdrop(string name, int depth)
     {
-        Assert.That(Load("Panel").HasProperty("_ZWrite"));
-        Assert.That(Load("Panel").GetFloat("_ZWrite"), Is.Zero);
+        Assert.That(Load(name).HasProperty("_ZWrite"));
+        Assert.That(Load(name).GetFloat("_ZWrite"), Is.EqualTo(depth));
     }
 
     [TestCase("Occluder", 1990)]
     [TestCase("Solid", 2000)]
+    [TestCase("Backdrop", 2900)]
     [TestCase("Panel", 2900)]
     [TestCase("Hologram", 3000)]
     [TestCase("Text", 3000)]

@@ -44,7 +44,7 @@ static class HoloLensPrefabs
         cell.gameObject.SetActive(false);
         var status = panel.AddComponent<StatusPanel>();
         Fields.Set(status, "_cell", cell);
-        Fields.Set(status, "_ground", assets.Load<Material>(PackagePaths.Panel));
+        Fields.Set(status, "_ground", assets.Load<Material>(PackagePaths.Backdrop));
 
         var bar = AddBar(assets, panel.transform, out var handle, out var pin, out var close);
         Fields.Set(status, "_bar", bar);
@@ -93,11 +93,12 @@ static class HoloLensPrefabs
     public static string Consent(PackageAssets assets)
     {
         var root = new GameObject("Consent Prompt");
-        var follow = root.AddComponent<BodyFollow>();
-        Fields.Set(follow, "_distanceMetres", 0.45f);
-        Fields.Set(follow, "_moveMetres", 0.2f);
         var prompt = root.AddComponent<ConsentPrompt>();
         var content = Children.Add("Content", root.transform);
+        // On the content, so that each question appears at its distance, wherever the user has gone since the last one.
+        var follow = content.AddComponent<BodyFollow>();
+        Fields.Set(follow, "_distanceMetres", 0.45f);
+        Fields.Set(follow, "_moveMetres", 0.2f);
         var canvas = Canvases.Add(content.transform, Vector3.zero);
         Canvases.AddGround(assets, canvas, new Vector3(0, 0, 4), new Vector2(300, 150));
         var question = Canvases.AddText(assets, "Question", canvas, new Vector3(0, 25, 0));
