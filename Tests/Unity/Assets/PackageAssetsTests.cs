@@ -38,7 +38,7 @@ public sealed class PackageAssetsTests
         ("StatusPanel._bar", "/Status Panel"),
         ("BodyFollow._head", "/Calibration"),
         ("BodyFollow._head", "/Status Panel (MRTK3)"),
-        ("BodyFollow._head", "/Consent Prompt"),
+        ("BodyFollow._head", "/Content"),
         ("GraspableMarker._bounds", "/Hand-Placed Marker"),
         // References to objects outside of the prefab, which the scene of the sample assigns.
         ("StatusPanel._session", "Status Panel (MRTK3).prefab/Status Panel (MRTK3)"),

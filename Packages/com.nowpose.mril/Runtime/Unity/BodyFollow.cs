@@ -15,8 +15,8 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("The object to follow. Empty: the main camera, which is the wearer's head.")]
         Transform _head = null;
 
-        [SerializeField, Range(0.3f, 5), Tooltip("Distance from the head in metres. Default 1.3: a headset's image is sharp at arm's length "
-            + "and beyond.")]
+        [SerializeField, Range(0.3f, 5), Tooltip("Distance from the head in metres. Default 1.3: a headset's image is sharp from about "
+            + "half a metre on.")]
         float _distanceMetres = 1.3f;
 
         [SerializeField, Range(-30, 45), Tooltip("Angle below eye level in degrees. Default 6: the whole status panel is in the view of a "
