@@ -8,7 +8,7 @@ namespace Nowpose.Unity.Tests.Editor;
 public sealed class FirstSceneTests : EditorFixture
 {
     // A scene that is not in the list has the index -1 or the length of the list.
-    [TestCase("Good", 0, 0)]
+    [TestCase("Good", -1, 0)]
     [TestCase("Good", 0, 1)]
     [TestCase("Good", 0, 2)]
     [TestCase("Advice", 1, 2)]

@@ -74,6 +74,20 @@ public sealed class SessionRecordingTests
     }
 
     [Test]
+    public void Inspector_WhileRecording_ShowsTheStateAndTheFile()
+    {
+        Play();
+        _cell.Run(3, _session);
+        UnityEditor.GuiRecorder.Clear();
+        var editor = UnityEditor.Editor.CreateEditor(_recording);
+
+        editor.OnInspectorGUI();
+
+        Assert.That(UnityEditor.GuiRecorder.Texts, Does.Contain("State: recording").And.Contain("File: " + _recording.Path));
+        UnityEngine.Object.DestroyImmediate(editor);
+    }
+
+    [Test]
     public void Frames_WhileRecording_AllocateNothing()
     {
         Play();

@@ -10,7 +10,7 @@ namespace Nowpose.Editor.Inspectors
     {
         protected override void DrawLive()
         {
-            EditorGUILayout.LabelField("State", Target.IsRecording ? "Target" : Target.Problem ?? InspectorTexts.NotRecording);
+            EditorGUILayout.LabelField("State", Target.IsRecording ? "recording" : Target.Problem ?? InspectorTexts.NotRecording);
             EditorGUILayout.LabelField("File", Target.Path ?? LiveText.Unknown);
         }
     }
