@@ -36,7 +36,15 @@ static class LeanSocket
     {
         var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp) { NoDelay = true };
         if (receiveBytes > 0) socket.ReceiveBufferSize = receiveBytes;
-        await socket.ConnectAsync(server, stop);
-        return socket;
+        try
+        {
+            await socket.ConnectAsync(server, stop);
+            return socket;
+        }
+        catch
+        {
+            socket.Dispose();
+            throw;
+        }
     }
 }

@@ -17,7 +17,7 @@ static class FiguresVerb
         var seed = NumberOption.Create("--seed", "Seed of the random numbers", FigureSettings.Full.Seed, 0, 1_000_000, "");
         var limits = MotionLimits.Option();
         var predictor = PredictorOption.Create(FigurePageTexts.FurtherPredictor, standard: null);
-        var pictures = TextOption.Create("--pictures", "Folder for the pictures of the documentation, as SVG");
+        var pictures = TextOption.Create("--pictures", "Folder for the plots that the manual shows, as SVG");
         var open = Browser.Option();
         var verb = new Command("figures", "Recompute the paper's figures: data as CSV, and one HTML page with the paper's claims beside our results.")
         {

@@ -1,3 +1,5 @@
+using Nowpose.Messages;
+
 namespace Nowpose.Cli.Messages;
 
 /// <summary>Error messages about invalid values of options that several commands use.</summary>
@@ -12,7 +14,7 @@ static class OptionValueMessages
         $"{option}: '{text}' is not a box; allowed: X,Y,WIDTH,HEIGHT in whole px, sides {minSide} to {maxSide} px.";
 
     public static string UnknownPredictor(string option, string value, string allowed) =>
-        $"{option}: '{value}' is unknown; allowed: {allowed}, or a polynomial with another history, for example linear-h4.";
+        $"{option}: {PredictionMessages.UnknownPredictor(value, allowed)}.";
 
     public static string WouldOverwriteInput(string option, string path) =>
         $"{option}: {path} is an input of this command and would be overwritten; use another name";

@@ -16,5 +16,5 @@ static class OptionMessages
     public static string NotWhole(string option, string value, string allowed) => $"{option}: '{value}' is not a whole number; {allowed}";
 
     public static string NotARange(string option, string value, double maxMs) =>
-        FormattableString.Invariant($"{option}: '{value}' is not a range; allowed: MIN-MAX with 0 <= MIN <= MAX <= {maxMs} ms.");
+        FormattableString.Invariant($"{option}: '{value}' is not a range; allowed: one number or MIN-MAX with 0 <= MIN <= MAX <= {maxMs} ms.");
 }

@@ -12,7 +12,7 @@ public static class RangeOption
     {
         return new Option<MillisecondRange>(name)
         {
-            Description = FormattableString.Invariant($"{description} [MIN-MAX, 0 to {limit} ms]"),
+            Description = FormattableString.Invariant($"{description} [MIN-MAX or one number, 0 to {limit} ms]"),
             HelpName = "MIN-MAX",
             DefaultValueFactory = _ => standard,
             CustomParser = result => Parse(result, name, limit),

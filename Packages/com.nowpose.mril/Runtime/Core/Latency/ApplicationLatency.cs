@@ -35,7 +35,7 @@ namespace Nowpose.Latency
             _recent.Add(Newest);
         }
 
-        /// <summary>Removes the recent values and keeps the counts. Call it after a step of the clock.</summary>
+        /// <summary>Removes the recent values and keeps <see cref="NegativeCount"/>. Call it after a step of the clock.</summary>
         public void Reset()
         {
             _recent.Reset();

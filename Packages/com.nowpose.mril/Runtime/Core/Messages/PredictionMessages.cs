@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Prediction.Forecasting;
 
 namespace Nowpose.Messages
 {
@@ -26,6 +27,7 @@ namespace Nowpose.Messages
         public static string NotPositive(string unit) => $"must be more than 0 {unit}";
 
         public static string UnknownPredictor(string name, string allowed) =>
-            $"predictor '{name}' is unknown; allowed: {allowed}, or a polynomial with another history, for example linear-h4";
+            FormattableString.Invariant($"predictor '{name}' is unknown; allowed: {allowed}, or a polynomial with a history from its degree to ")
+            + FormattableString.Invariant($"{PolynomialForecaster.MaxHistory}, for example linear-h4");
     }
 }

@@ -13,7 +13,7 @@ namespace Nowpose.Protocol
         const int MaxBytes = ProtocolLimits.NamespaceLength + 1 + 3 * ProtocolLimits.NameLength;
 
         readonly int _capacity;
-        // Created when the first name is read, because most readers receive messages of only a few topics.
+        // Created when the first name is read, because some readers read no names.
         (byte[] Utf8, string Text)[] _table;
         int _count;
 

@@ -40,7 +40,7 @@ namespace Nowpose.Tests.Unity
         public void Files_OfEachKind_AreFound()
         {
             Assert.That(Prefabs.Count(), Is.EqualTo(6));
-            Assert.That(Materials.Count(), Is.EqualTo(9));
+            Assert.That(Materials.Count(), Is.EqualTo(10));
             Assert.That(Robots.Count(), Is.EqualTo(6));
         }
 

@@ -2,7 +2,7 @@ using Nowpose.Latency;
 using Nowpose.Protocol;
 using NUnit.Framework;
 
-namespace Nowpose.Tests.Core.Latency
+namespace Nowpose.Tests.Core
 {
     public class EnumNamesTests
     {
