@@ -45,6 +45,9 @@ export const opcuaMessages = {
   sessionClosed: 'the server closed the session',
   subscriptionEnded: 'the server ended the subscription',
   subscriptionStatus: (status: string) => `the server ended the subscription (${status})`,
+  unmodified: (reason: string, seconds: number) =>
+    `the server does not modify its subscription (${reason}), so it keeps the subscription for ${seconds} s after a lost connection; if it then has no `
+    + 'free subscription, wait for this time',
   slow: (samplingMs: number, publishingMs: number) =>
     `the server samples every ${samplingMs} ms and sends every ${publishingMs} ms, less often than requested, so headsets show moving joints and `
     + 'objects less accurately, and with more than 100 ms mostly as held; lower the minimum sampling and publishing intervals of the server (TIA '

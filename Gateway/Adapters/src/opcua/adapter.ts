@@ -90,15 +90,19 @@ async function attempt(
       node => map.whereIs(node),
     );
     reader.stopOf = node => silent.stopOf(node);
-    const monitoring = await session.monitor(
-      nodes,
-      values => {
-        silent.heard(values);
-        serverSilence.valued();
-        reader.read(values);
-      },
-      () => serverSilence.alive(),
-    );
+    const monitoring = await Promise.race([
+      session.monitor(
+        nodes,
+        values => {
+          silent.heard(values);
+          serverSilence.valued();
+          reader.read(values);
+        },
+        () => serverSilence.alive(),
+      ),
+      session.ended.then(reason => Promise.reject(new Error(reason))),
+    ]);
+    if (monitoring.unmodified !== null) context.log.line(monitoring.unmodified);
     reader.samplingMs = monitoring.samplingMs;
     const delayMs = (silent.delayMs = delayOf(monitoring));
     silent.silentMs = silentAfterMs(monitoring);

@@ -9,7 +9,6 @@ import {
   type DataValue,
   makeBrowsePath,
   MessageSecurityMode,
-  type ModifySubscriptionOptions,
   OPCUAClient,
   SecurityPolicy,
   TimestampsToReturn,
@@ -19,6 +18,7 @@ import { RequestParts } from './requestParts';
 import type { OpcUaSettings } from './kind';
 import { applicationUri, type OwnCertificate } from './security/ownCertificate';
 import type { TrustList } from './security/trustList';
+import { subscribe } from './subscription';
 import { opcuaMessages } from '../messages/opcua';
 
 /** Initial maximum number of nodes per read request. */
@@ -27,8 +27,6 @@ const NODES_PER_READ = 64;
 const TIMEOUT_MS = 5000;
 const CLOSING_MS = 1000;
 const SESSION_MS = 30_000;
-const KEEP_ALIVE_MS = 1000;
-const LIFETIME_MS = 15_000;
 
 /** All requests that the adapter may send to a server. None of them can write a variable or call a method. */
 const ALLOWED = new Set([
@@ -62,6 +60,8 @@ export interface Monitoring {
   publishingMs: number;
   /** Maximum interval between messages of the server, including keep-alive messages. */
   keepAliveMs: number;
+  /** Message that the server has not adapted the subscription to the granted interval; null if it has. */
+  unmodified: string | null;
 }
 
 /** Throws for a request that is not read-only. Called before a request is encoded, so that such a request is never sent. */
@@ -197,18 +197,9 @@ export class ReadOnlySession {
    */
   async monitor(nodes: string[], heard: (values: NodeValue[]) => void, alive: (isQuiet: boolean) => void): Promise<Monitoring> {
     const { samplingMs, publishingMs } = this.settings;
-    const subscription = await this.#session!.createSubscription2({
-      ...countsFor(publishingMs),
-      // The library never finishes the request if this count times the granted interval, which is not known yet, exceeds the session's timeout.
-      requestedMaxKeepAliveCount: 1,
-      maxNotificationsPerPublish: 0,
-      publishingEnabled: true,
-      priority: 100,
-    });
+    const { subscription, unmodified } = await subscribe(this.#session!, publishingMs);
     subscription.on('terminated', () => this.#end(opcuaMessages.subscriptionEnded));
     subscription.on('status_changed', status => this.#end(opcuaMessages.subscriptionStatus(status.name)));
-    // Otherwise, a lost connection would leave the subscription on a slow server for many minutes. A server without this service keeps the counts.
-    await subscription.modify(countsFor(subscription.publishingInterval)).catch(() => {});
     this.#heard = heard;
     subscription.on('raw_notification', message => {
       const data = message.notificationData ?? [];
@@ -225,6 +216,7 @@ export class ReadOnlySession {
       samplingMs: Math.max(...sampling, 0),
       publishingMs: subscription.publishingInterval,
       keepAliveMs: subscription.publishingInterval * subscription.maxKeepAliveCount,
+      unmodified,
     };
   }
 
@@ -282,13 +274,6 @@ export class ReadOnlySession {
     return groups;
   }
 }
-
-/** Gets the counts of a subscription, which are multiples of its publishing interval. */
-const countsFor = (publishingMs: number): ModifySubscriptionOptions => ({
-  requestedPublishingInterval: publishingMs,
-  requestedMaxKeepAliveCount: Math.max(1, Math.ceil(KEEP_ALIVE_MS / publishingMs)),
-  requestedLifetimeCount: Math.max(3, Math.ceil(LIFETIME_MS / publishingMs)),
-});
 
 const itemsOf = (groups: ClientMonitoredItemGroup[]): ClientMonitoredItem[] => groups.flatMap(group => group.monitoredItems as ClientMonitoredItem[]);
 

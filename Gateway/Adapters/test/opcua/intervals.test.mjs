@@ -5,7 +5,8 @@ import { until } from '../program.mjs';
 import { RosbridgeDouble } from '../rosbridge.mjs';
 import { temporaryFile } from '../temporary.mjs';
 import { adapterFor, configuration, OPEN, serverFor } from './plant.mjs';
-import { messages } from '../messages.mjs';
+import { ANY, like, messages } from '../messages.mjs';
+import { ClientSubscription } from './library.mjs';
 
 const { opcuaMessages } = messages;
 
@@ -34,7 +35,7 @@ describe('minimum intervals of an OPC UA server', { concurrency: 2 }, () => {
       assert.equal(bridge.state.notice, notice);
     });
 
-  for (const [minimumMs, keepAliveMs, lifetimeMs] of [[1, 1000, 15_000], [100, 1000, 15_000], [1000, 2000, 15_000], [4000, 8000, 24_000]])
+  for (const [minimumMs, keepAliveMs, lifetimeMs] of [[1, 1000, 15_000], [100, 1000, 15_000], [1000, 2000, 15_000], [4000, 8000, 24_000], [11_000, 22_000, 66_000]])
     // This server sends at most every second interval without changes, and waits for three times as long.
     it(`Intervals_Minimum${minimumMs}Ms_SubscriptionEndsSoonAfterALostConnection`, async t => {
       const server = await serverFor(t, { minimumMs }), { state } = await adapterFor(t, server, OPEN, JOINTS);
@@ -42,7 +43,30 @@ describe('minimum intervals of an OPC UA server', { concurrency: 2 }, () => {
       await state(({ state: now }) => now === 'connected');
 
       assert.deepEqual(server.subscription, { keepAliveMs, lifetimeMs });
+      assert.equal(server.asked.get('ModifySubscriptionRequest') ?? 0, minimumMs > 20 ? 1 : 0);
     });
+
+  it('Intervals_ServerDoesNotModifySubscriptions_IsReadAndTheLogStatesTheLifetime', async t => {
+    const server = await serverFor(t, { minimumMs: 1000, canModify: false }), { run, states } = await adapterFor(t, server, OPEN, JOINTS);
+
+    await states(1);
+
+    assert.deepEqual(server.subscription, { keepAliveMs: 50_000, lifetimeMs: 750_000 });
+    assert.match(run.err, like(opcuaMessages.unmodified(ANY, 750)));
+  });
+
+  // The library never finishes this request, unless it ignores its own warning.
+  it('Intervals_LibraryDoesNotCreateTheSubscription_EndOfTheConnectionEndsTheAttempt', async t => {
+    const server = await serverFor(t, { minimumMs: 11_000 });
+    Object.defineProperty(ClientSubscription, 'ignoreNextWarning', { get: () => false, set: () => {} });
+    t.after(() => Object.defineProperty(ClientSubscription, 'ignoreNextWarning', { value: false, writable: true }));
+    const { state } = await adapterFor(t, server, OPEN, JOINTS);
+    await until(() => server.subscription, 'the subscription');
+
+    await server.stop();
+
+    await state(({ state: now }) => now === 'waiting');
+  });
 
   it('Intervals_Minimum500MsForSignals_AreNoNotice', async t => {
     const server = await serverFor(t, { minimumMs: 500 }), bridge = await RosbridgeDouble.start(t);

@@ -7,6 +7,6 @@ import { libraryFile } from './libraryFile.mjs';
 export const nodeset = join(adapters, 'node_modules', 'node-opcua-address-space', 'nodesets', 'mini.Nodeset2.xml');
 
 export const {
-  AttributeIds, crypto_utils, DataType, DataValue, EUInformation, MessageSecurityMode, MonitoredItem, OPCUAClient, OPCUAServer, SecurityPolicy, setWarningLogger,
+  AttributeIds, ClientSubscription, crypto_utils, DataType, DataValue, EUInformation, MessageSecurityMode, MonitoredItem, OPCUAClient, OPCUAServer, SecurityPolicy, setWarningLogger,
   StatusCodes, Subscription, Variant, VariantArrayType,
 } = await import(await libraryFile());

@@ -9,7 +9,7 @@ const adapters = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
 
 // The names that the tests and the tested modules import.
 const contents = `
-export { AttributeIds, crypto_utils, DataChangeFilter, DataChangeTrigger, DataType, DataValue, makeBrowsePath, MessageSecurityMode, OPCUAClient,
+export { AttributeIds, ClientSubscription, crypto_utils, DataChangeFilter, DataChangeTrigger, DataType, DataValue, makeBrowsePath, MessageSecurityMode, OPCUAClient,
   SecurityPolicy, setWarningLogger, StatusCodes, TimestampsToReturn, UserTokenType, Variant, VariantArrayType } from 'node-opcua-client';
 export { setDebugLogger, setErrorLogger } from 'node-opcua-debug';
 export { EUInformation } from 'node-opcua-types';

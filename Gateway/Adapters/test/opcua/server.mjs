@@ -100,13 +100,14 @@ export class YoubotServer {
    * @param nodesPerRead Maximum number of nodes in a read request.
    * @param itemsPerCall Maximum number of nodes in a request that creates or deletes monitored items.
    * @param pathsPerCall Maximum number of browse paths in a request that translates them.
+   * @param canModify Whether the server modifies subscriptions.
    * @param minimumMs Minimum sampling and publishing interval in ms. On a Siemens S7-1500, 1000 ms is common.
    */
   constructor({
     port = 0, clock = new ControlClock(), security = ['none'], users = null, cycleUs = 10_000, clockStepUs = 0.1, own = null, trusted = null,
-    nodesPerRead = 1000, itemsPerCall = 1000, pathsPerCall = 1000, minimumMs = 1,
+    nodesPerRead = 1000, itemsPerCall = 1000, pathsPerCall = 1000, canModify = true, minimumMs = 1,
   } = {}) {
-    Object.assign(this, { nodesPerRead, itemsPerCall, pathsPerCall, minimumMs, port, clock, security, users, cycle: BigInt(cycleUs * 1000), clockStep: BigInt(clockStepUs * 1000), own, trusted });
+    Object.assign(this, { nodesPerRead, itemsPerCall, pathsPerCall, canModify, minimumMs, port, clock, security, users, cycle: BigInt(cycleUs * 1000), clockStep: BigInt(clockStepUs * 1000), own, trusted });
   }
 
   get endpoint() { return `opc.tcp://127.0.0.1:${this.port}`; }
@@ -147,11 +148,12 @@ export class YoubotServer {
       if (name === 'ReadRequest') this.largestRead = Math.max(this.largestRead, request.nodesToRead.length);
       const atLeast = ms => Math.max(ms, this.minimumMs);
       if (/^(Create|Modify)SubscriptionRequest$/.test(name)) request.requestedPublishingInterval = atLeast(request.requestedPublishingInterval);
+      if (name === 'ModifySubscriptionRequest' && !this.canModify) request.subscriptionId = 0;
       if (name === 'CreateMonitoredItemsRequest')
         for (const { requestedParameters: asked } of request.itemsToCreate) asked.samplingInterval = atLeast(asked.samplingInterval);
     });
     this.#server.on('response', response => {
-      if (!/^(Create|Modify)SubscriptionResponse$/.test(response.schema.name)) return;
+      if (!/^(Create|Modify)SubscriptionResponse$/.test(response.schema.name) || response.responseHeader.serviceResult.isNotGood()) return;
       const { revisedPublishingInterval: ms, revisedMaxKeepAliveCount: quiet, revisedLifetimeCount: all } = response;
       this.subscription = { keepAliveMs: ms * quiet, lifetimeMs: ms * all };
     });
