@@ -18,29 +18,33 @@ const closes = socket => socket.destroy();
 const responds = bytes => socket => socket.on('data', () => socket.end(Buffer.from(bytes)));
 const HTTP = responds('HTTP/1.1 400 Bad Request\r\nContent-Length: 0\r\n\r\n');
 
+/** Responds to the first bytes of a TLS connection with a fatal alert, as a broker with TLS 1.2 does. */
+const alerts = code => responds([0x15, 3, 3, 0, 2, 2, code]);
+
 const KINDS = {
   opcua: port => `opc.tcp://127.0.0.1:${port}\n  ${OPEN}\njoints: [{ joint: a, node: "ns=1;s=a" }]`,
   mqtt: port => `mqtt://127.0.0.1:${port}\njoints: [{ joint: a, topic: a }]`,
   broker: port => `mqtt://127.0.0.1:${port}\n  direction: publish\n  topic: cell`,
   mqtts: port => `mqtts://localhost:${port}\njoints: [{ joint: a, topic: a }]`,
   otherHost: (port, { certificateFile }) => `mqtts://127.0.0.1:${port}\n  authority_file: "${certificateFile}"\njoints: [{ joint: a, topic: a }]`,
+  trusted: (port, { certificateFile }) => `mqtts://localhost:${port}\n  authority_file: "${certificateFile}"\njoints: [{ joint: a, topic: a }]`,
   ros: port => `ws://127.0.0.1:${port}`,
   wss: port => `wss://127.0.0.1:${port}`,
   pinned: port => `wss://127.0.0.1:${port}\n  pin: sha256/${'A'.repeat(43)}=`,
 };
-const KIND_OF = { mqtts: 'mqtt', otherHost: 'mqtt', wss: 'ros', pinned: 'ros' };
+const KIND_OF = { mqtts: 'mqtt', otherHost: 'mqtt', trusted: 'mqtt', wss: 'ros', pinned: 'ros' };
 
 describe('connections to another program', { concurrency: 4 }, () => {
   let own;
   before(async () => { own = await identity('urn:another'); });
 
   /** Starts an adapter and a server at its address. `serve` receives each connection. Returns the reason in the diagnostics and the server's port. */
-  async function reasonOf(t, kind, serve, isSecure = false) {
+  async function reasonOf(t, kind, serve, tls = null) {
     const take = socket => {
       socket.on('error', () => {});
       serve?.(socket);
     };
-    const server = isSecure ? createSecureServer({ key: own.pem, cert: own.cert }, take) : createServer(take);
+    const server = tls ? createSecureServer({ key: own.pem, cert: own.cert, ...tls }, take) : createServer(take);
     server.on('tlsClientError', () => {});
     await once(server.listen(0, '127.0.0.1'), 'listening');
     t.after(() => server.close());
@@ -56,6 +60,8 @@ describe('connections to another program', { concurrency: 4 }, () => {
     ['MqttIsClosed', 'mqtt', closes, port => brokerMessages.noBroker(`mqtt://127.0.0.1:${port}`, ANY)],
     ['MqttIsAnotherProtocol', 'mqtt', HTTP, port => brokerMessages.noBroker(`mqtt://127.0.0.1:${port}`, ANY)],
     ['MqttHasNoTls', 'mqtts', closes, port => brokerMessages.noBroker(`mqtts://localhost:${port}`, ANY)],
+    ['MqttRefusesTheCertificate', 'mqtts', alerts(48), () => brokerMessages.certificateRefused('unknown ca')],
+    ['MqttRefusesTheTlsVersion', 'mqtts', alerts(70), () => brokerMessages.handshakeRefused('protocol version')],
     ['MqttIsUnavailable', 'mqtt', responds([0x20, 3, 0, 0x88, 0]), port => brokerMessages.refusesWith(`mqtt://127.0.0.1:${port}`, 'Connection refused: Server unavailable')],
     ['MqttRefusesAllVersions', 'mqtt', responds([0x20, 2, 0, 1]), port => brokerMessages.refusesWith(`mqtt://127.0.0.1:${port}`, 'Connection refused: Unacceptable protocol version')],
     ['BrokerHasVersion3', 'broker', responds([0x20, 2, 0, 1]), port => brokerMessages.noMqtt5(`mqtt://127.0.0.1:${port}`)],
@@ -68,7 +74,7 @@ describe('connections to another program', { concurrency: 4 }, () => {
       const { reason, port } = await reasonOf(t, kind, serve);
 
       assert.match(reason, like(expected(port)));
-      assert.match(reason, /plant\.endpoint|mqtt:/);
+      assert.match(reason, /plant\.(endpoint|user)|mqtt:/);
     });
 
   for (const [name, kind, expected] of [
@@ -76,14 +82,21 @@ describe('connections to another program', { concurrency: 4 }, () => {
     ['WithAnotherPin', 'pinned', () => gatewayMessages.otherPin('rosbridge', ANY)],
   ])
     it(`Connection_RosbridgeNotTrusted${name}_ReasonNamesTheRosbridge`, async t => {
-      const { reason } = await reasonOf(t, kind, null, true);
+      const { reason } = await reasonOf(t, kind, null, {});
 
       assert.match(reason, like(expected()));
       assert.doesNotMatch(reason, /gateway/);
     });
 
+  it('Connection_MqttWithTls1.2RequiresACertificate_ReasonNamesTheEntry', async t => {
+    const { reason } = await reasonOf(t, 'trusted', null, { maxVersion: 'TLSv1.2', requestCert: true });
+
+    assert.equal(reason, brokerMessages.handshakeRefused('handshake failure'));
+    assert.match(reason, /plant\.user\.certificate/);
+  });
+
   it('Connection_MqttHasACertificateOfAnotherHost_ReasonNamesTheEntry', async t => {
-    const { reason, port } = await reasonOf(t, 'otherHost', null, true);
+    const { reason, port } = await reasonOf(t, 'otherHost', null, {});
 
     assert.equal(reason, brokerMessages.otherHost(`mqtts://127.0.0.1:${port}`));
   });

@@ -6,7 +6,7 @@ import { messages } from './messages.mjs';
 
 /** An example value for each parameter of the functions in the catalogue. */
 const samples = {
-  address: 'node i=1, index 2', after: 0.1, allowed: ['opcua', 'ads'], apartMm: 2.4, apartMs: 12.5, arms: ['ur5e', 'ur10e'], basis: 'observed', before: 812.3, bytes: 2e6, chain: ['a', 'b', 'a'],
+  address: 'node i=1, index 2', after: 0.1, alert: 'unknown ca', allowed: ['opcua', 'ads'], apartMm: 2.4, apartMs: 12.5, arms: ['ur5e', 'ur10e'], basis: 'observed', before: 812.3, bytes: 2e6, chain: ['a', 'b', 'a'],
   choice: 7, code: 'ENOENT', command: 3, count: 3, cure: 'Move it', day: '1970-01-20', depth: 17, description: 'the node is unknown', element: 'MAIN.axes[1]', endpoint: 'mqtt://b',
   entry: 'node', evidence: 'no value arrives', expected: 4, field: 'actual_q', fields: 9, file: 'own.der', folder: '/var/lib/pki', frame: 'table', from: '2024', gateway: 'this gateway', groupMs: '0.5', guess: 'opcua',
   host: 'plc', included: ['ur5e', 'youbot'], keyFile: 'own.pem', kind: 'joint', knowledge: 'no value arrives', label: 'part x', last: 2, length: 0.5, limit: 4.1, line: 12, localNetId: '1.2.3.4.1.1',

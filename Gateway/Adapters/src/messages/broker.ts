@@ -32,9 +32,14 @@ export const brokerMessages = {
     `the broker's certificate is not valid for the host name in ${endpoint}; enter a name or address of the certificate in plant.endpoint`,
   notTrusted: (code: string) =>
     `the broker's certificate is not trusted (${code}); set plant.authority_file to the certificate of the authority that issued it`,
-  certificateRefused: (code: string) =>
-    `the broker requires a certificate of this client, or does not accept it (${code}); set plant.user.certificate and plant.user.key to a `
+  /** @param alert TLS alert of the broker. */
+  certificateRefused: (alert: string) =>
+    `the broker requires a certificate of this client, or does not accept it (${alert}); set plant.user.certificate and plant.user.key to a `
     + 'certificate that the broker accepts',
+  /** @param alert TLS alert of the broker. */
+  handshakeRefused: (alert: string) =>
+    `the broker refuses the TLS connection (${alert}); if it requires a certificate of this client, set plant.user.certificate and plant.user.key; `
+    + "otherwise, compare its TLS versions and ciphers with those of Node.js, and check the broker's log",
   noPublisher: (topic: string) => `no client publishes ${topic} on the broker yet; check that the bridge with direction: publish is running`,
   gatewayAway: "the bridge has lost the connection to the plant's gateway",
   bridgeAway: "the bridge at the plant's gateway is disconnected",

@@ -1,7 +1,7 @@
 import { randomBytes } from 'node:crypto';
 import { connect, type IClientOptions, type MqttClient } from 'mqtt';
 import { reconnecting } from '../backoff';
-import { isCertificateRefused, isOtherName, isUnknownHost, isUntrusted } from '../connectionErrors';
+import { alertIn, isCertificateRefused, isOtherName, isUnknownHost, isUntrusted } from '../connectionErrors';
 import type { BrokerAddress } from './address';
 import { brokerMessages } from '../messages/broker';
 import { PacketLimit } from './packetLimit';
@@ -179,7 +179,8 @@ function inWords(failure: (Error & { code?: string | number }) | null, endpoint:
   if (isVersionRefused(failure) && version === 5) return brokerMessages.noMqtt5(endpoint);
   if (typeof code === 'number') return brokerMessages.refusesWith(endpoint, message);
   if (isOtherName(code)) return brokerMessages.otherHost(endpoint);
-  if (isCertificateRefused(code)) return brokerMessages.certificateRefused(String(code));
+  const alert = alertIn(message);
+  if (alert !== undefined) return isCertificateRefused(alert) ? brokerMessages.certificateRefused(alert) : brokerMessages.handshakeRefused(alert);
   if (isUntrusted(code)) return brokerMessages.notTrusted(String(code));
   return brokerMessages.noBroker(endpoint, failure === null ? 'connection closed' : String(code ?? message));
 }
