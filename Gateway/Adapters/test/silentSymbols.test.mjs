@@ -7,7 +7,7 @@ const { SilentSymbols } = await parts('ads/silentSymbols');
 
 describe('silent symbols', () => {
   function plc(isOnChange = true) {
-    const cell = { now: 0, values: [1, 2], confirmed: [], lost: [], renewed: [] };
+    const cell = { now: 0, values: [1, 2], confirmed: [], lost: [], renewed: [], refused: [], isRefusing: false };
     cell.symbols = new SilentSymbols([true, true], 100, isOnChange, {
       read: async joint => {
         if (cell.values[joint] === null) throw new Error('gone');
@@ -18,7 +18,11 @@ describe('silent symbols', () => {
         cell.agoMs = agoMs;
       },
       lose: (joint, error) => cell.lost.push([joint, error.message]),
-      renew: async joint => void cell.renewed.push(joint),
+      renew: async joint => {
+        cell.renewed.push(joint);
+        if (cell.isRefusing) throw new Error('refused');
+      },
+      refused: (joint, error) => cell.refused.push([joint, error.message]),
     }, () => cell.now);
     cell.look = () => {
       cell.now += 500;
@@ -107,4 +111,45 @@ describe('silent symbols', () => {
 
     assert.deepEqual([cell.confirmed, cell.renewed], [[], [0, 1]]);
   });
+
+  it('Symbol_SubscriptionRefused_IsTriedAgainEvery10SecondsAndThenWatched', async () => {
+    const cell = plc(), requests = [];
+    const lookUntil = async end => {
+      while (cell.now < end) {
+        cell.symbols.heard(1, 2);
+        const { length } = cell.renewed;
+        await cell.look();
+        if (cell.renewed.length > length) requests.push(cell.now);
+      }
+    };
+    cell.symbols.refuse(0);
+    cell.isRefusing = true;
+
+    await lookUntil(25_000);
+    cell.isRefusing = false;
+    await lookUntil(31_000);
+    cell.values[0] = null;
+    await cell.look();
+
+    assert.deepEqual(requests, [10_000, 20_000, 30_000]);
+    assert.deepEqual([cell.refused, cell.lost], [[[0, 'refused'], [0, 'refused']], [[0, 'gone']]]);
+    // At 30.5 s and 31 s.
+    assert.equal(cell.confirmed.filter(joints => joints.includes(0)).length, 2);
+  });
+
+  for (const [name, value, expected] of [['', 1, [0, 1]], ['OneNotReadable', null, [1]]])
+    it(`Symbols_SubscriptionsRefused${name}_AreTriedAgainOneAfterTheOther`, async () => {
+      const cell = plc(), counts = [];
+      cell.values[0] = value;
+      cell.symbols.refuse(0);
+      cell.symbols.refuse(1);
+      cell.now += 9500;
+
+      for (const _ of [1, 2]) {
+        await cell.look();
+        counts.push(cell.renewed.length + cell.lost.length);
+      }
+
+      assert.deepEqual([counts, cell.renewed], [[1, 2], expected]);
+    });
 });

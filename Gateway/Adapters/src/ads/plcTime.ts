@@ -34,6 +34,8 @@ export class NotificationTime implements PlcTime {
   /** Handles of earlier requests. A late notification of an earlier request is ignored, even if the PLC uses its handle again. */
   readonly #former: number[] = [];
   #asking = 0;
+  /** Ends with the newest request. The requests wait for each other, because the PLC may allow only one more notification. */
+  #newest: Promise<unknown> = Promise.resolve();
 
   /** @param place Address of any symbol that supports notifications, preferably a configured one. */
   constructor(
@@ -48,14 +50,24 @@ export class NotificationTime implements PlcTime {
       this.#early.set(handle, stamp);
   }
 
-  async reserving<T>(add: () => Promise<T>): Promise<T> {
-    const reserved = await this.#subscribe();
-    const added = await add();
-    await reserved.unsubscribe();
-    return added;
+  reserving<T>(add: () => Promise<T>): Promise<T> {
+    return this.#after(async () => {
+      const reserved = await this.#subscribe();
+      return add().finally(() => reserved.unsubscribe());
+    });
   }
 
-  async read(): Promise<ClockReading> {
+  read(): Promise<ClockReading> {
+    return this.#after(() => this.#read());
+  }
+
+  #after<T>(request: () => Promise<T>): Promise<T> {
+    const result = this.#newest.then(request);
+    this.#newest = result.catch(() => {});
+    return result;
+  }
+
+  async #read(): Promise<ClockReading> {
     this.#asking++;
     const asked = await this.#subscribe().finally(() => {
       this.#asking--;

@@ -103,7 +103,7 @@ export class AdsSession {
     // Subscribes to the time first. The PLC counts the cycles of a notification from its addition, and the time must be sampled in every cycle.
     if (time !== null) await this.#watch(time, null, { cycleTime: 0, sendOnChange: false });
     const sampled = { cycleTime: settings.samplingMs, sendOnChange: settings.isOnChange };
-    this.#watchSilence(await this.#time.reserving(() => this.#watchAll(symbols, sampled)), sampled);
+    this.#watchSilence(symbols, await this.#time.reserving(() => this.#watchAll(symbols, sampled)), sampled);
     this.#isReading = true;
     this.#reportState();
   }
@@ -127,31 +127,25 @@ export class AdsSession {
   }
 
   /**
-   * Subscribes to the symbols. Gets them, with null for a symbol whose notification the PLC refuses, so that the others can be read. Rejects if the
-   * PLC refuses all of them, or if a request fails for another reason.
+   * Subscribes to the symbols. Gets those whose notifications the PLC refuses, so that the others can be read. Rejects if the PLC refuses all of them,
+   * or if a request fails for another reason.
    */
-  async #watchAll(symbols: (AdsSymbol | null)[], sampled: Sampled): Promise<(AdsSymbol | null)[]> {
-    const refusals: unknown[] = [];
-    const watched = await Promise.all(
-      symbols.map(async (symbol, index) => {
-        if (symbol === null) return null;
-        try {
-          await this.#watch(symbol, index, sampled);
-          return symbol;
-        } catch (error) {
+  async #watchAll(symbols: (AdsSymbol | null)[], sampled: Sampled): Promise<Map<number, unknown>> {
+    const refused = new Map<number, unknown>();
+    const found = symbols.flatMap((symbol, index) => (symbol === null ? [] : [{ symbol, index }]));
+    await Promise.all(
+      found.map(({ symbol, index }) =>
+        this.#watch(symbol, index, sampled).catch(error => {
           if (!isAdsError(error)) throw error;
-          refusals.push(error);
-          const text = adsMessages.notNotified(this.settings.values[index].symbol, this.#reasonOf(error));
-          this.context.output.lose(index, { reason: 'not-readable', text });
-          return null;
-        }
-      }),
+          refused.set(index, error);
+        }),
+      ),
     );
-    if (refusals.length > 0 && watched.every(symbol => symbol === null)) throw refusals[0];
-    return watched;
+    if (refused.size > 0 && refused.size === found.length) throw [...refused.values()][0];
+    return refused;
   }
 
-  #watchSilence(symbols: (AdsSymbol | null)[], sampled: Sampled): void {
+  #watchSilence(symbols: (AdsSymbol | null)[], refused: Map<number, unknown>, sampled: Sampled): void {
     const { output, clock } = this.context;
     const { samplingMs, isOnChange } = this.settings;
     const delayMs = delayOf(this.settings);
@@ -174,23 +168,31 @@ export class AdsSession {
           output.hold(now - ofMilliseconds(agoMs + STAMP_LAG_MS + samplingMs), ofMilliseconds(3 * samplingMs), new Set(others));
         },
         lose: (index, error) => {
-          const text = adsMessages.notReadable(this.settings.values[index].symbol, this.#reasonOf(error));
-          if (this.#isRunning) output.lose(index, { reason: 'not-readable', text });
+          if (this.#isRunning) this.#lose(index, error, adsMessages.notReadable);
         },
+        refused: (index, error) => this.#lose(index, error, adsMessages.notNotified),
         renew: async (index, value) => {
           for (const [handle, watched] of this.#watched) {
             if (watched.index !== index) continue;
             this.#watched.delete(handle);
             watched.unsubscribe().catch(() => {});
           }
-          await this.#watch(symbols[index]!, index, sampled);
+          await this.#time!.reserving(() => this.#watch(symbols[index]!, index, sampled));
           // Publishes the value that was read, because the first notification may arrive before its handle is known, and a value at rest
           // receives no other notification.
           output.publish([{ index, value, stamp: null, isFirst: true }]);
         },
       },
     );
+    for (const [index, error] of refused) {
+      this.#silent.refuse(index);
+      this.#lose(index, error, adsMessages.notNotified);
+    }
     void this.#silent.run(AbortSignal.any([this.context.stopping, this.#ended.signal]));
+  }
+
+  #lose(index: number, error: unknown, inWords: (symbol: string, reason: string) => string): void {
+    this.context.output.lose(index, { reason: 'not-readable', text: inWords(this.settings.values[index].symbol, this.#reasonOf(error)) });
   }
 
   /** Whether the value is a signal, which may be a BOOL. */

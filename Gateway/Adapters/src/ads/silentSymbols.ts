@@ -9,13 +9,20 @@ const LOOK_MS = 500;
 const QUIET_LOOK_MS = 90;
 const QUIET_MS = 50;
 
+/** Time after which a refused subscription is tried again, because another client of the PLC may have removed its notifications. */
+const RETRY_MS = 10_000;
+
 interface SymbolState {
   heardAt: number;
   value: number | null;
   isLost: boolean;
+  /** Whether the PLC has refused the subscription, at the time `heardAt`. */
+  isRefused: boolean;
   /** Start of the current series of reads whose value arrived without a notification; null if the last read is not part of such a series. */
   missedSince: number | null;
 }
+
+const HEARD = { isLost: false, isRefused: false, missedSince: null };
 
 /** Reads a symbol and acts on the result. Symbols are identified by their index in the configuration. */
 interface ReadActions {
@@ -29,6 +36,8 @@ interface ReadActions {
   lose(index: number, error: unknown): void;
   /** Subscribes to the symbol again, because it exists again with this value, or because its notifications do not arrive. */
   renew(index: number, value: number): Promise<void>;
+  /** Called if `renew` fails. It is tried again later. */
+  refused(index: number, error: unknown): void;
 }
 
 /** Reads the symbols for which no notifications arrive, to distinguish a value at rest from a symbol that no longer exists. */
@@ -37,7 +46,7 @@ export class SilentSymbols {
   #newest = -Infinity;
 
   /**
-   * @param watched Whether each symbol is subscribed.
+   * @param watched Whether each symbol exists. It is subscribed until `refuse` is called.
    * @param delayMs Maximum delay of a value, ms.
    * @param isOnChange Whether the PLC sends only changes.
    */
@@ -48,12 +57,17 @@ export class SilentSymbols {
     readonly actions: ReadActions,
     readonly now: () => number = () => performance.now(),
   ) {
-    this.#symbols = watched.map(isWatched => (isWatched ? { heardAt: now(), value: null, isLost: false, missedSince: null } : null));
+    this.#symbols = watched.map(isWatched => (isWatched ? { ...HEARD, heardAt: now(), value: null } : null));
   }
 
   heard(index: number, value: number): void {
     this.#newest = this.now();
-    this.#symbols[index] = { heardAt: this.#newest, value, isLost: false, missedSince: null };
+    this.#symbols[index] = { ...HEARD, heardAt: this.#newest, value };
+  }
+
+  /** Records that the PLC has refused the subscription to a symbol. */
+  refuse(index: number): void {
+    this.#symbols[index] = { heardAt: this.now(), value: null, isLost: true, isRefused: true, missedSince: null };
   }
 
   async run(stop: AbortSignal): Promise<void> {
@@ -71,7 +85,10 @@ export class SilentSymbols {
     const began = this.now();
     const silence = this.isOnChange ? SILENT_MS : lateAfterMs(this.delayMs);
     const unchanged = new Set<number>();
-    const silent = this.#symbols.flatMap((symbol, index) => (symbol !== null && began - symbol.heardAt >= silence ? [index] : []));
+    const olderThan = (ms: number, isRefused: boolean): number[] =>
+      this.#symbols.flatMap((symbol, index) => (symbol?.isRefused === isRefused && began - symbol.heardAt >= ms ? [index] : []));
+    // Tries only one refused subscription again, so that the others are not read late.
+    const silent = [...olderThan(silence, false), ...olderThan(RETRY_MS, true).slice(0, 1)];
     await Promise.all(
       silent.map(async index => {
         if (await this.#isUnchanged(index, began)) unchanged.add(index);
@@ -85,6 +102,7 @@ export class SilentSymbols {
     try {
       value = await this.actions.read(index);
     } catch (error) {
+      if (this.#symbols[index]!.isRefused) this.refuse(index);
       this.#symbols[index]!.isLost = true;
       this.actions.lose(index, error);
       return false;
@@ -95,7 +113,10 @@ export class SilentSymbols {
     symbol.missedSince = this.isOnChange && isSame ? null : (symbol.missedSince ?? began);
     if (symbol.isLost || isUnnotified(symbol.missedSince, began, this.delayMs)) {
       this.heard(index, value);
-      await this.actions.renew(index, value).catch(error => this.actions.lose(index, error));
+      await this.actions.renew(index, value).catch(error => {
+        this.refuse(index);
+        this.actions.refused(index, error);
+      });
       return false;
     }
     return this.isOnChange && isSame;

@@ -42,8 +42,8 @@ describe('faults over ADS', { concurrency: 4 }, () => {
   });
 
   // The client has two notifications of its own, and one is reserved for the clock.
-  it('Notification_Refused_OnlyItsJointIsMissing', async t => {
-    const { bridge } = await cell(t, { server: { maxNotifications: 6 } });
+  it('Notification_Refused_OnlyItsJointIsMissingUntilThePlcAcceptsIt', async t => {
+    const { server, bridge } = await cell(t, { server: { maxNotifications: 6 } });
     const inState = wanted => [1, 2, 3, 4, 5].filter(i => bridge.joint(`arm_joint_${i}`)?.state === wanted);
 
     await until(() => inState('live').length === 3 && inState('missing').length === 2, () => JSON.stringify(bridge.state));
@@ -53,6 +53,10 @@ describe('faults over ADS', { concurrency: 4 }, () => {
     for (const i of inState('missing'))
       assert.match(bridge.joint(`arm_joint_${i}`).reason, like(adsMessages.notNotified(`GVL.aJoints[${i - 1}]`, ANY)));
     assert.deepEqual([inState('missing').length, bridge.state.state, bridge.state.reconnects], [2, 'connected', '0']);
+
+    server.maxNotifications = Infinity;
+    await until(() => inState('live').length === 5, () => JSON.stringify(bridge.state));
+    assert.deepEqual([bridge.state.state, bridge.state.reconnects], ['connected', '0']);
   });
 
   it('Notifications_AllRefused_ReasonIsThatOfThePlc', async t => {
