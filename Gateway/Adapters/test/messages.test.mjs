@@ -8,7 +8,7 @@ import { messages } from './messages.mjs';
 const samples = {
   address: 'node i=1, index 2', after: 0.1, alert: 'unknown ca', allowed: ['opcua', 'ads'], apartMm: 2.4, apartMs: 12.5, arms: ['ur5e', 'ur10e'], basis: 'observed', before: 812.3, bytes: 2e6, chain: ['a', 'b', 'a'],
   choice: 7, code: 'ENOENT', command: 3, count: 3, cure: 'Move it', day: '1970-01-20', depth: 17, description: 'the node is unknown', element: 'MAIN.axes[1]', endpoint: 'mqtt://b',
-  entry: 'node', evidence: 'no value arrives', expected: 4, field: 'actual_q', fields: 9, file: 'own.der', folder: '/var/lib/pki', frame: 'table', from: '2024', gateway: 'this gateway', groupMs: '0.5', guess: 'opcua',
+  entry: 'node', evidence: 'no value arrives', expected: 4, field: 'actual_q', fields: 9, file: 'own.der', folder: '/var/lib/pki', formats: 'DER or PEM', frame: 'table', from: '2024', gateway: 'this gateway', groupMs: '0.5', guess: 'opcua',
   host: 'plc', included: ['ur5e', 'youbot'], keyFile: 'own.pem', kind: 'joint', knowledge: 'no value arrives', label: 'part x', last: 2, length: 0.5, limit: 4.1, line: 12, localNetId: '1.2.3.4.1.1',
   maxMs: 1000, maxNorm: 1.001, meant: 'kind', minNorm: 0.999, mode: 'power off', most: 512, name: 'elbow', names: ['target_qd'], nodes: ['i=1', 'i=2'], namespace: 'arm1', namespaces: ['urn:a', 'urn:b'], needed: 'DOUBLE',
   parent: 'map', root: 'arm1/base_link', netId: '5.6.7.8.1.1', node: 'ns=2;s=Axis1', axis: 'x', metres: 2e6, norm: 2, number: 1e300, own: '0.2.0', part: 'key', path: '/etc/token', pin: 'sha256/AAAA', place: 'plant.yaml, line 4',

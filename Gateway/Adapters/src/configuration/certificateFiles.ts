@@ -14,7 +14,7 @@ export interface CertificateAndKey {
 /** Reports a file that is missing or contains no certificate, because no server could match it. */
 export function requireCertificate(file: YamlFile, entry: Path, value: string): void {
   try {
-    certificateIn(file, entry, readFileSync(besides(file.path, value)));
+    certificateIn(file, entry, readFileSync(besides(file.path, value)), 'DER or PEM');
   } catch (error) {
     file.report(entry, fileMessages.notReadable(value, (error as NodeJS.ErrnoException).code));
   }
@@ -31,17 +31,17 @@ export function userCertificateIn(file: YamlFile, user: { certificate?: string; 
   const certificate = user.certificate && secretText(file, [...at, 'certificate'], user.certificate, false);
   const key = user.key && secretText(file, [...at, 'key'], user.key, true);
   if (!certificate || !key) return null;
-  const found = certificateIn(file, [...at, 'certificate'], certificate);
+  const found = certificateIn(file, [...at, 'certificate'], certificate, 'PEM');
   const secret = keyIn(file, [...at, 'key'], key);
   if (found !== null && secret !== null && !found.checkPrivateKey(secret)) file.report([...at, 'key'], certificateFileMessages.otherKey);
   return { certificate, key };
 }
 
-function certificateIn(file: YamlFile, entry: Path, content: string | Buffer): X509Certificate | null {
+function certificateIn(file: YamlFile, entry: Path, content: string | Buffer, formats: string): X509Certificate | null {
   try {
     return new X509Certificate(content);
   } catch {
-    file.report(entry, certificateFileMessages.noCertificate);
+    file.report(entry, certificateFileMessages.noCertificate(formats));
     return null;
   }
 }

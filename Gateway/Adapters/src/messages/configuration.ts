@@ -121,7 +121,8 @@ export const fileMessages = {
 export const certificateFileMessages = {
   noPart: (part: string) => `missing; add the path of the user's ${part}, a PEM file`,
   otherKey: 'the key does not belong to plant.user.certificate; enter a certificate and its key',
-  noCertificate: 'the file contains no certificate; enter a certificate in DER or PEM format (-----BEGIN CERTIFICATE-----)',
+  /** @param formats Allowed formats, such as PEM. */
+  noCertificate: (formats: string) => `the file contains no certificate; enter a certificate in ${formats} format (-----BEGIN CERTIFICATE-----)`,
   encryptedKey: 'the key is encrypted with a password, which cannot be entered at startup; use a file with an unencrypted key',
   noKey: 'the file contains no private key; enter a key in PEM format (-----BEGIN PRIVATE KEY-----)',
   withoutTls: 'not used with mqtt://, because only TLS uses a certificate; use mqtts://, or remove certificate and key',

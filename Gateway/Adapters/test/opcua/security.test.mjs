@@ -162,7 +162,7 @@ describe('security in the configuration', () => {
     ['CertificateWithoutKey', ['user: {certificate: plant.yaml}'], `line 7: plant.user.key: ${certificateFileMessages.noPart('key')}`],
     ['FlagWithoutModeNone', ['security:', '  i_know_this_is_open: true'], `line 8: plant.security.i_know_this_is_open: ${opcuaSettingMessages.notOpen('sign_and_encrypt')}`],
     ['NoServerCertificate', ['security:', '  server_certificate: none.der'], `line 8: plant.security.server_certificate: ${fileMessages.notReadable('none.der', 'ENOENT')}`],
-    ['ServerCertificateNotACertificate', ['security:', '  server_certificate: plant.yaml'], `line 8: plant.security.server_certificate: ${certificateFileMessages.noCertificate}`],
+    ['ServerCertificateNotACertificate', ['security:', '  server_certificate: plant.yaml'], `line 8: plant.security.server_certificate: ${certificateFileMessages.noCertificate('DER or PEM')}`],
     ['TimeWithoutNode', ['timestamp: variable'], `line 7: plant.timestamp: ${configurationMessages.noTimeVariable('node')}`],
     ['TimeNotUsed', ['timestamp: source', 'time: {node: i=2258}'], `line 8: plant.time: ${configurationMessages.unusedTime('source')}`],
     ['PublishingFasterThanSampling', ['sampling_ms: 20', 'publishing_ms: 10'], `line 8: plant.publishing_ms: ${configurationMessages.publishingTooShort(10, 20)}`],
@@ -184,7 +184,7 @@ describe('security in the configuration', () => {
 
     assert.equal(wrong(me.certificateFile, me.privateKeyFile), '');
     for (const [certificate, key, expected] of [
-      [none, me.privateKeyFile, `line 8: plant.user.certificate: ${certificateFileMessages.noCertificate}`],
+      [none, me.privateKeyFile, `line 8: plant.user.certificate: ${certificateFileMessages.noCertificate('PEM')}`],
       [me.certificateFile, none, `line 9: plant.user.key: ${certificateFileMessages.noKey}`],
       [me.certificateFile, closed, `line 9: plant.user.key: ${certificateFileMessages.encryptedKey}`],
       [me.certificateFile, other.privateKeyFile, `line 9: plant.user.key: ${certificateFileMessages.otherKey}`],
