@@ -57,8 +57,8 @@ public sealed class HubMessage
 
     /// <summary>Creates a message with a robot description.</summary>
     /// <inheritdoc cref="OfRobot" path="/param[@name='robot']"/>
-    internal static HubMessage Description(string urdf, string robot, long receivedAt) =>
-        OfRobot(robot, RosTopics.RobotDescription, new StringMessage(urdf), source: null, receivedAt);
+    internal static HubMessage Description(string urdf, string robot, HubSource source, long receivedAt) =>
+        OfRobot(robot, RosTopics.RobotDescription, new StringMessage(urdf), source, receivedAt);
 
     /// <summary>Sets the <see cref="Sequence"/> and returns this message.</summary>
     internal HubMessage With(long sequence)

@@ -8,8 +8,6 @@ namespace Nowpose.Gateway.Hub;
 /// <summary>One publisher on the hub: a plant in this process or a client. <see cref="Dispose"/> releases its joints, frames and signals.</summary>
 public sealed class HubSource : IDisposable
 {
-    static readonly string[] TheRobot = ["the robot"];
-
     /// <summary>Name of a source in this process.</summary>
     internal const string Own = "gateway";
 
@@ -20,8 +18,8 @@ public sealed class HubSource : IDisposable
     // Joint names of the last claim, by robot: caches the claim, because a source sends the same names in each message.
     readonly Dictionary<string, (string[] Names, string[] InCell, bool AreLong)> _claimed = [];
 
-    // Refused descriptions of robots, by robot.
-    readonly Dictionary<string, string> _refused = [];
+    // Descriptions of robots that were refused because another source has published one, by robot.
+    readonly Dictionary<string, (HubMessage Message, DescribedRobot Described)> _refused = [];
 
     internal HubSource(MessageHub hub) => _hub = hub;
 
@@ -60,7 +58,7 @@ public sealed class HubSource : IDisposable
             // With a refused joint, the next message is claimed again, because the joint may then be free.
             if (refusal == null) _claimed[robot] = claimed;
             // A description is sent once. When this source takes over the joints of another source, it also takes over the description.
-            if (_refused.TryGetValue(robot, out var urdf)) Describe(urdf, out _, robot);
+            if (_refused.TryGetValue(robot, out var refused)) Describe(refused.Message, refused.Described);
         }
 
         var published = HubMessage.OfRobot(robot, RosTopics.JointStates, message, this, receivedAt ?? Now, claimed.InCell);
@@ -88,8 +86,10 @@ public sealed class HubSource : IDisposable
     /// Publishes the robot description and keeps it for later subscribers, unless another source has published one. In that case, the description is
     /// published when this source takes over joints of the robot from the other source.
     /// </summary>
-    /// <returns>The name that was refused; null if the description was published.</returns>
-    public string TryDescribe(string urdf) => Describe(urdf)?.What;
+    /// <returns>
+    /// Whether the description was published. It is also refused if it is too long for a message, or if it is invalid and the robot has a valid one.
+    /// </returns>
+    public bool TryDescribe(string urdf) => Describe(urdf) == null;
 
     /// <inheritdoc cref="Describe(string, out string, string)"/>
     internal Refusal? Describe(string urdf, string robot = "") => Describe(urdf, out _, robot);
@@ -101,15 +101,19 @@ public sealed class HubSource : IDisposable
     /// </param>
     internal Refusal? Describe(string urdf, out string fault, string robot = "")
     {
-        var published = HubMessage.Description(urdf, robot, Now);
-        var described = new DescribedRobot(urdf, published.Topic);
-        fault = described.Fault;
+        fault = null;
+        var published = HubMessage.Description(urdf, robot, this, Now);
         if (published.IsTooLong) return new Refusal(DropReason.TooLarge, DropMessages.AsWritten);
-        if (fault != null && _hub.Links.HasValid(robot)) return new Refusal(DropReason.NotUrdf, DropMessages.KeptDescription, Rule: fault);
-        var refusal = _hub.Claim(this, robot, RosTopics.RobotDescription, TheRobot, out _);
-        if (refusal?.Reason == DropReason.JointTaken) _refused[robot] = urdf;
-        else _refused.Remove(robot);
-        if (refusal == null) _hub.PublishDescription(published, described);
+        var described = _hub.Links.Described.GetValueOrDefault(robot) is { } known && known.Urdf == urdf ? known : new(urdf, published.Topic);
+        fault = described.Fault;
+        return Describe(published, described);
+    }
+
+    Refusal? Describe(HubMessage message, DescribedRobot described)
+    {
+        var refusal = _hub.Describe(this, message, described);
+        if (refusal?.Reason == DropReason.JointTaken) _refused[message.Robot] = (message, described);
+        else _refused.Remove(message.Robot);
         return refusal;
     }
 
@@ -163,7 +167,8 @@ public sealed class HubSource : IDisposable
     /// <summary>Reports set-points that were refused for another reason than their owner, which the hub reports itself.</summary>
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>
     /// <param name="joint">The first joint of the message; empty if no name can be read.</param>
-    internal void ReportRefused(string robot, string joint, Refusal refusal) => _hub.ReportRefused(this, robot, joint, refusal);
+    internal void ReportRefused(string robot, string joint, Refusal refusal) =>
+        _hub.ReportRefused(this, RobotTopic.NameOf(robot, RosTopics.JointTrajectory), joint, refusal);
 
     /// <summary>Reports a rule that the client breaks.</summary>
     /// <param name="what">What the client does, as a predicate, for example <see cref="EventTexts.ExceedsRate"/>.</param>

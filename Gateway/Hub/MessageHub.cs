@@ -1,3 +1,4 @@
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Recording;
 using Nowpose.Gateway.Status;
 using Nowpose.Protocol;
@@ -57,10 +58,10 @@ public sealed class MessageHub
     internal event Action<HubSource, string, string, HubSource> Refused;
 
     /// <summary>
-    /// Raised when set-points are refused, with their source, the namespace of the robot, and the joint that is refused or the first one of the message,
-    /// empty if no name can be read. May be called under the hub's lock; must not wait.
+    /// Raised when set-points or an invalid description are refused, with the source, the topic, and the joint that is refused or the first one of
+    /// the message; empty if no name can be read, and for a description. May be called under the hub's lock; must not wait.
     /// </summary>
-    internal event Action<HubSource, string, string, Refusal> SetPointsRefused;
+    internal event Action<HubSource, string, string, Refusal> MessageRefused;
 
     /// <inheritdoc cref="JointOwners.RobotOfListedJoint"/>
     internal Func<string, string> RobotOfListedJoint { set => _owners.RobotOfListedJoint = value; }
@@ -91,16 +92,7 @@ public sealed class MessageHub
 
     /// <summary>Gets the description of a robot; null until a source has published one.</summary>
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>
-    internal string DescriptionOf(string robot)
-    {
-        lock (_lock) return ((StringMessage)_robots.DescriptionOn(RobotTopic.NameOf(robot, RosTopics.RobotDescription))?.Content)?.Data;
-    }
-
-    /// <summary>Whether the hub has the description of at least one robot.</summary>
-    internal bool IsRobotDescribed
-    {
-        get { lock (_lock) return _robots.IsAnyDescribed; }
-    }
+    internal string DescriptionOf(string robot) => Links.Described.GetValueOrDefault(robot)?.Urdf;
 
     /// <summary>Raised when a source starts to publish signals that have no source yet. Called under the hub's lock.</summary>
     internal event Action<IReadOnlyCollection<string>> SignalsBegan;
@@ -163,7 +155,7 @@ public sealed class MessageHub
 
     internal bool Publish(HubSource source, TransformsMessage message, bool isStationary, List<LeftOut> leftOut, long receivedAt)
     {
-        // Under the lock for the same reason as PublishDescription, and so that no pose of a frame is published after its release.
+        // Under the lock for the same reason as Describe, and so that no pose of a frame is published after its release.
         lock (_lock) return Frames.Publish(source, message, isStationary, leftOut, receivedAt);
     }
 
@@ -172,21 +164,33 @@ public sealed class MessageHub
         lock (_lock) return _signals.Publish(source, message, leftOut, receivedAt);
     }
 
-    internal void PublishDescription(HubMessage message, DescribedRobot described)
+    /// <summary>Publishes a robot description, unless another source has published one, or it is invalid and the robot has a valid one.</summary>
+    internal Refusal? Describe(HubSource source, HubMessage message, DescribedRobot described)
     {
+        // Not under the lock, because this parses the description.
+        var isValid = described.Fault == null;
         // Under the lock, so that a new subscriber receives the message exactly once, either as the kept message or as a new one.
         lock (_lock)
         {
+            if (Claim(source, message.Robot, RosTopics.RobotDescription, ["the robot"], out _) is { } refusal) return refusal;
+            if (!isValid && Links.Described.GetValueOrDefault(message.Robot)?.Model != null)
+            {
+                var invalid = new Refusal(DropReason.NotUrdf, DropMessages.KeptDescription, Rule: described.Fault);
+                ReportRefused(source, message.Topic, "", invalid);
+                return invalid;
+            }
+
             _robots.Describe(message);
             Links.Describe(message.Robot, described);
             Publish(message);
+            return null;
         }
     }
 
     /// <summary>Publishes a message and keeps it for later subscribers, until its source ends or publishes the next message on the topic.</summary>
     internal void PublishNewest(HubSource source, HubMessage message)
     {
-        // Under the lock for the same reason as PublishDescription.
+        // Under the lock for the same reason as Describe.
         lock (_lock)
         {
             _newest[(source, message.Topic)] = message;
@@ -215,7 +219,7 @@ public sealed class MessageHub
             var refusal = _owners.Claim(source, robot, kind, names, () => Use(source, robot, kind), out claimed, out var taken);
             // A description that was refused is published later, see HubSource.TryDescribe.
             foreach (var one in claimed.Length == 0 ? taken.Take(1) : taken)
-                if (kind == RosTopics.JointTrajectory) ReportRefused(source, robot, one.What, one);
+                if (kind == RosTopics.JointTrajectory) ReportRefused(source, RobotTopic.NameOf(robot, kind), one.What, one);
                 else if (kind == RosTopics.JointStates && one.Owner is { } owner)
                     Refused?.Invoke(source, kind, RobotTopic.Qualified(robot, one.What), owner);
             return refusal;
@@ -235,12 +239,10 @@ public sealed class MessageHub
     }
 
     internal void ReportNameRefused(HubSource source, string name) => NameRefused?.Invoke(source, name);
-
     internal void ReportBrokenRule(HubSource source, string what, string rule) => RuleBroken?.Invoke(source, what, rule);
-
     internal void ReportLeft(string name) => Left?.Invoke(name);
-
     internal void ReportLeft(HubSource source, string topic) => SourceLeft?.Invoke(source, topic);
+    internal void ReportRefused(HubSource source, string topic, string joint, Refusal why) => MessageRefused?.Invoke(source, topic, joint, why);
 
     internal void ReportDropped(HubSource source, string robot, string[] names, string reason, DropReason code)
     {
@@ -256,8 +258,6 @@ public sealed class MessageHub
 
         SampleDropped?.Invoke(source, HubSource.InCell(robot, names), reason, code);
     }
-
-    internal void ReportRefused(HubSource source, string robot, string joint, Refusal refusal) => SetPointsRefused?.Invoke(source, robot, joint, refusal);
 
     internal void ReportDropped(HubSource source, string topic, LeftOut part)
     {

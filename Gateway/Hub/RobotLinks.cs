@@ -7,7 +7,7 @@ using Nowpose.Session;
 namespace Nowpose.Gateway.Hub;
 
 /// <summary>The descriptions of all robots, and their links by their cell-wide names. Thread-safe.</summary>
-/// <remarks>A description is parsed in the background, because parsing is slow. Its links are unknown until parsing has finished.</remarks>
+/// <remarks>The links of a new description are found in the background, and are unknown until then.</remarks>
 sealed class RobotLinks
 {
     readonly Lock _lock = new();
@@ -16,19 +16,20 @@ sealed class RobotLinks
     // The root link of each robot, and its links with the joints that decide whether their poses are current.
     readonly Dictionary<string, (IReadOnlyDictionary<string, string[]> Links, string Root)> _robots = [];
 
-    /// <summary>Completes when all descriptions passed so far are parsed.</summary>
+    /// <summary>Completes when the links of all descriptions passed so far are known.</summary>
     internal Task Read { get; private set; } = Task.CompletedTask;
 
-    /// <summary>The described robots by their namespaces, also those whose description has not been parsed yet. Replaced as a whole.</summary>
+    /// <summary>The described robots by their namespaces, also those whose links are not known yet. Replaced as a whole.</summary>
     public ImmutableSortedDictionary<string, DescribedRobot> Described => _described;
 
-    /// <summary>Raised with the namespace of a robot and its new description, after the description has been parsed. Called without a lock.</summary>
+    /// <summary>Raised with the namespace of a robot and its new description, after its links are known. Called without a lock.</summary>
     public event Action<string, DescribedRobot> Changed;
 
     /// <summary>Raised with the namespace of a robot that the hub has removed, with its description. Called under the hub's lock.</summary>
     public event Action<string> Removed;
 
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>
+    /// <param name="described">The description, which has been parsed.</param>
     public void Describe(string robot, DescribedRobot described)
     {
         lock (_lock)
@@ -37,14 +38,6 @@ sealed class RobotLinks
             _described = _described.SetItem(robot, described);
             Read = Task.WhenAll(Read, Task.Run(() => Add(robot, described)));
         }
-    }
-
-    /// <summary>Whether a robot has a valid description. Parses the description if it has not been parsed yet.</summary>
-    public bool HasValid(string robot)
-    {
-        DescribedRobot described;
-        lock (_lock) described = _described.GetValueOrDefault(robot);
-        return described?.Model != null;
     }
 
     public void Remove(string robot)

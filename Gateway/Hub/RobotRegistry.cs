@@ -16,9 +16,6 @@ sealed class RobotRegistry
     /// <summary>Namespaces of the robots that have one.</summary>
     public IEnumerable<string> Names => _robots.Select(one => one.Robot);
 
-    /// <summary>Whether at least one robot is described.</summary>
-    public bool IsAnyDescribed => _descriptions.Count > 0;
-
     /// <summary>Gets the newest message on a topic of descriptions; null if there is none.</summary>
     public HubMessage DescriptionOn(string topic) => _descriptions.GetValueOrDefault(topic);
 

@@ -137,8 +137,10 @@ static class EventTexts
     public static string SetPointsOf(string robot) => robot.Length == 0 ? "the set-points" : $"the set-points of robot {robot}";
 
     /// <param name="robot">Namespace of the robot; empty if it has none.</param>
-    public static string InvalidDescription(string robot) =>
-        $"{(robot.Length == 0 ? "the robot description" : $"the description of robot {robot}")} is invalid";
+    public static string InvalidDescription(string robot) => $"{DescriptionOf(robot)} {IsInvalid}";
+
+    /// <inheritdoc cref="InvalidDescription" path="/param"/>
+    public static string RefusedDescription(string robot, string source) => $"{DescriptionOf(robot)} from source {source} {IsRefused}";
 
     public static string SourceRefused(string source, string what) => $"source {source} is refused for {what}";
 
@@ -162,6 +164,8 @@ static class EventTexts
 
     /// <inheritdoc cref="StateNames.UncertainRestReason"/>
     public const string UncertainRestReason = StateNames.UncertainRestReason;
+
+    static string DescriptionOf(string robot) => robot.Length == 0 ? "the robot description" : $"the description of robot {robot}";
 
     // Two digits, or enough digits to show the difference from real time.
     static string RateText(double rate) =>

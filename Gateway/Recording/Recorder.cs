@@ -182,7 +182,7 @@ public sealed class Recorder : IAsyncDisposable
         Interlocked.MemoryBarrier();
         if (!_isWanted) return;
         var file = _file;
-        // Continues on another thread, because parsing a URDF and creating a file are slow and must not block the caller.
+        // Continues on another thread, because creating a file is slow and must not block the caller.
         if (file.Robots != _hub.Links.Described) ThreadPool.UnsafeQueueUserWorkItem(_ => Renew(file), null);
     }
 
@@ -226,13 +226,11 @@ public sealed class Recorder : IAsyncDisposable
         RenewOnRobotChange();
     }
 
-    // Called without the lock, because it parses a URDF and accesses the disk, which may take long.
+    // Called without the lock, because it accesses the disk, which may take long.
     (DateTime Now, string Path, ImmutableSortedDictionary<string, DescribedRobot> Robots) Prepare()
     {
-        var robots = _hub.Links.Described;
-        foreach (var robot in robots.Values) _ = robot.Model;
         var now = _options.Time.GetUtcNow().UtcDateTime;
-        return (now, _paths.Free(now), robots);
+        return (now, _paths.Free(now), _hub.Links.Described);
     }
 
     void Begin((DateTime Now, string Path, ImmutableSortedDictionary<string, DescribedRobot> Robots) next)

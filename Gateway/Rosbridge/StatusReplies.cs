@@ -67,7 +67,6 @@ sealed class StatusReplies(HubSource source, DropCounters drops, PublishRights r
             ? RequestMessages.UnknownOperation(Short(message.OpName), KnownOperations)
             : $"{Subject(message)}{effect}: {rule} ({reason})";
         if (reason == DropReason.TooManyMessages) source.ReportBrokenRule(EventTexts.ExceedsRate, rule);
-        if (reason == DropReason.NotUrdf) source.ReportBrokenRule(EventTexts.IsRefused, rule);
         // Excludes joints of other sources, which the hub reports itself.
         if (topic != null && reason != DropReason.JointTaken)
         {

@@ -134,7 +134,7 @@ sealed class GatewayStatus : IDisposable
             Cell = _options.Cell,
             Host = Environment.MachineName,
             Version = Version,
-            Status = OverallStatus.Of(conditions, joints, frames, signals, _hub.IsRobotDescribed, reports.Count(one => !one.IsOfAdapter)),
+            Status = OverallStatus.Of(conditions, joints, frames, signals, !_hub.Links.Described.IsEmpty, reports.Count(one => !one.IsOfAdapter)),
             StartedUtc = _started.UtcDateTime.ToString("yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture),
             UptimeS = Math.Round(Stopwatch.GetElapsedTime(_startCount).TotalSeconds, 1),
             ControlTimeS = Math.Round(_clock.Now.SinceEpoch.TotalSeconds, 6),
@@ -169,7 +169,7 @@ sealed class GatewayStatus : IDisposable
             _sources.Add(message.Joints, message.ReceivedAt, age);
             _joints.Add(message.Source, message.Joints, state.Stamp, age, message.Robot);
         }
-        else if (message.Content is JointTrajectoryMessage) _refusals.Accept(message);
+        else if (message.Kind is RosTopics.JointTrajectory or RosTopics.RobotDescription) _refusals.Accept(message);
         else if (message.Content is TransformsMessage frames)
             _cell.Add(message.Source, frames, message.Topic == RosTopics.TfStatic, _clock.AtReceived(message.ReceivedAt));
         else if (message.Content is SignalsMessage signals) _cell.Add(message.Source, signals);

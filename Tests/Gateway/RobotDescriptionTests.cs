@@ -24,7 +24,7 @@ public class RobotDescriptionTests
 
         var status = await source.ReceiveAsync();
         Assert.That((status.Op, status.Level), Is.EqualTo((RosbridgeOp.Status, "warning")));
-        Assert.That(status.Text, Does.StartWith("publish /robot_description ").And.Contain("/robot_description"));
+        Assert.That(status.Text, Does.StartWith("publish /robot_description ").And.Contain("/robot_description:1"));
         Assert.That((await client.ReceiveAsync()).Data, Is.EqualTo(invalid));
         Assert.That(gateway.Drops.Total, Is.Zero);
     }
@@ -40,13 +40,29 @@ public class RobotDescriptionTests
             await former.RoundTripAsync();
         }
 
+        await Soon.BecomesAsync(() => gateway.WebSocketConnections.Open == 0, "the former source has ended");
         using var source = await RawRosbridgeClient.ConnectAsync(gateway);
-        await Soon.BecomesAsync(() => Refusal(source, invalid).Result.Contains(nameof(DropReason.NotUrdf)), "the former source has ended");
+        await source.SendAsync(Text(invalid));
+        await source.ExpectErrorAsync(nameof(DropReason.NotUrdf));
 
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
         await client.SendAsync("""{"op":"subscribe","topic":"/robot_description"}""");
         Assert.That((await client.ReceiveAsync()).Data, Is.EqualTo(Valid));
         Assert.That(gateway.Hub.DescriptionOf(""), Is.EqualTo(Valid));
+    }
+
+    [Test]
+    public async Task Publish_InvalidWhileAnotherSourceIsConnected_IsRefusedBecauseOfThatSource()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var former = await RawRosbridgeClient.ConnectAsync(gateway);
+        await former.SendAsync(Text(Valid));
+        await former.RoundTripAsync();
+        using var source = await RawRosbridgeClient.ConnectAsync(gateway);
+
+        await source.SendAsync(Text("not xml"));
+
+        await source.ExpectErrorAsync(nameof(DropReason.JointTaken));
     }
 
     [Test]
@@ -76,12 +92,5 @@ public class RobotDescriptionTests
 
         await source.ExpectErrorAsync(nameof(DropReason.TooLarge));
         Assert.That(gateway.Hub.DescriptionOf(""), Is.Null);
-    }
-
-    // The description of another source is refused for this reason until the gateway has noticed that the source has ended.
-    static async Task<string> Refusal(RawRosbridgeClient source, string urdf)
-    {
-        await source.SendAsync(Text(urdf));
-        return (await source.ReceiveAsync()).Text;
     }
 }

@@ -59,7 +59,7 @@ public class RosbridgeAccessTests
     {
         await using var gateway = await Gateways.StartAsync(WithTokens);
         var refusals = new List<(DropReason Reason, string Text)>();
-        gateway.Hub.SetPointsRefused += (_, _, _, refusal) => refusals.Add((refusal.Reason, refusal.Rule));
+        gateway.Hub.MessageRefused += (_, _, _, refusal) => refusals.Add((refusal.Reason, refusal.Rule));
         gateway.Hub.SampleDropped += (_, _, text, reason) => refusals.Add((reason, text));
         using var observer = await RawRosbridgeClient.ConnectAsync(gateway, Bearer(Gateways.ObserverToken));
         const string Publish = "{\"op\":\"publish\",\"topic\":\"/joint_", Header = "\",\"msg\":{\"header\":{\"stamp\":{\"sec\":5000,\"nanosec\":0}},";

@@ -8,28 +8,29 @@ namespace Nowpose.Gateway.Status.Events;
 sealed class RefusalConditions
 {
     readonly RecentRefusals _owned;
-    readonly RefusedSetPoints _setPoints;
+    readonly LastingRefusals _messages;
     readonly RefusedNames _names;
     readonly BrokenRules _rules;
 
     public RefusalConditions(MessageHub hub, TimeProvider time)
     {
-        (_owned, _setPoints) = (new RecentRefusals(time), new RefusedSetPoints(time));
+        (_owned, _messages) = (new RecentRefusals(time), new LastingRefusals(time));
         (_names, _rules) = (new RefusedNames(time), new BrokenRules(time));
         hub.Refused += _owned.Add;
         hub.TopicReleased += _owned.Remove;
-        hub.SetPointsRefused += _setPoints.Refuse;
-        hub.TopicReleased += _setPoints.Release;
+        hub.MessageRefused += _messages.Refuse;
+        hub.TopicReleased += _messages.Release;
         hub.NameRefused += _names.Add;
         hub.RuleBroken += _rules.Add;
         hub.SampleDropped += AddNotAllowed;
     }
 
-    /// <summary>Ends the refusals of the joints in a message with accepted set-points.</summary>
-    /// <param name="message">A message on /joint_trajectory of any robot.</param>
-    public void Accept(HubMessage message) => _setPoints.Accept(message.Source, message.Robot, ((JointTrajectoryMessage)message.Content).Names);
+    /// <summary>Ends the refusals about the joints of accepted set-points, or about the robot of an accepted description.</summary>
+    /// <param name="message">A message on /joint_trajectory or /robot_description of any robot.</param>
+    public void Accept(HubMessage message) =>
+        _messages.Accept(message.Source, message.Topic, (message.Content as JointTrajectoryMessage)?.Names ?? []);
 
-    public IEnumerable<Condition> Read() => _owned.Read().Select(OfOwned).Concat(_setPoints.Read().Select(OfSetPoints))
+    public IEnumerable<Condition> Read() => _owned.Read().Select(OfOwned).Concat(_messages.Read().Select(OfMessage))
         .Concat(_names.Read().Select(OfName)).Concat(_rules.Read().Select(OfRule));
 
     void AddNotAllowed(HubSource source, string[] names, string reason, DropReason code)
@@ -40,9 +41,16 @@ sealed class RefusalConditions
     static Condition OfOwned((string Source, string Kind, string Name, string Owner) one) =>
         OfSource(one.Source, $"{one.Kind} {one.Name}", EventTexts.Taken(one.Owner, one.Kind), EventRemedies.TwoSources);
 
-    static Condition OfSetPoints((string Source, string Robot, string Joint, Refusal Refusal) one)
+    static Condition OfMessage((string Source, string Topic, string Joint, Refusal Refusal) one)
     {
-        var (what, refusal) = (EventTexts.SetPointsOf(one.Robot), one.Refusal);
+        var (topic, refusal) = (RobotTopic.Parse(one.Topic), one.Refusal);
+        // An error like an invalid description that is published: headsets show neither of the two.
+        if (topic.Kind == RosTopics.RobotDescription)
+            return new("description", $"{one.Topic} ({one.Source})", EventTexts.IsRefused, $"{refusal.What} {refusal.Rule}", Level.Error)
+            {
+                Headline = EventTexts.RefusedDescription(topic.Robot, one.Source),
+            };
+        var what = EventTexts.SetPointsOf(topic.Robot);
         return refusal.Owner is { } owner
             ? OfSource(one.Source, what, EventTexts.SetPointsTaken(owner.Title, one.Joint), EventRemedies.TwoSources)
             : OfSource(one.Source, what, $"{refusal.Rule} ({refusal.Reason})", EventRemedies.SetPoints(refusal.Reason)) with

@@ -9,6 +9,8 @@ namespace Nowpose.Headless.Tests.Gateway.Status;
 /// <summary>Tests which refusals are conditions, and for how long.</summary>
 public class RefusalConditionsTests
 {
+    const string Valid = "<robot name='a'><link name='base'/></robot>";
+
     MessageHub _hub;
     SteppedTime _time;
     RefusalConditions _conditions;
@@ -18,8 +20,11 @@ public class RefusalConditionsTests
     {
         (_hub, _time) = (new MessageHub(), new SteppedTime());
         _conditions = new RefusalConditions(_hub, _time);
-        _hub.Subscribe(RosTopics.JointTrajectory, _conditions.Accept);
-        _hub.SubscribeToRobots(RosTopics.JointTrajectory, _conditions.Accept);
+        foreach (var topic in new[] { RosTopics.JointTrajectory, RosTopics.RobotDescription })
+        {
+            _hub.Subscribe(topic, _conditions.Accept);
+            _hub.SubscribeToRobots(topic, _conditions.Accept);
+        }
     }
 
     string[] Which() => [.. _conditions.Read().Select(one => one.Which)];
@@ -143,6 +148,72 @@ public class RefusalConditionsTests
                 Assert.That(Which(), Has.Length.EqualTo(1));
             }
         }
+    }
+
+    // A source sends its description only once, and headsets keep the earlier one as long as it is invalid.
+    [TestCase("")]
+    [TestCase("arm1")]
+    public void Description_InvalidAfterAValidOne_IsAConditionUntilItsSourceSendsAValidOne(string robot)
+    {
+        var client = Source("client");
+        Describe(Source("former"), robot, Valid).Dispose();
+
+        Describe(client, robot, "not xml");
+        Describe(client, "arm2", Valid);
+        _time.Advance(TimeSpan.FromHours(1));
+
+        var found = _conditions.Read().Single();
+        Assert.That((found.Kind, found.What, found.Level), Is.EqualTo(("description", EventTexts.IsRefused, Level.Error)));
+        Assert.That(found.Which, Does.Contain(RobotTopic.NameOf(robot, RosTopics.RobotDescription)).And.Contain("client"));
+        Assert.That(found.Reason, Does.Contain(RobotTopic.NameOf(robot, RosTopics.RobotDescription) + ":1"));
+        Describe(client, robot, Valid);
+        Assert.That(_conditions.Read(), Is.Empty);
+    }
+
+    [Test]
+    public void Description_InvalidAndWithdrawn_IsNoCondition()
+    {
+        var client = Source("client");
+        Describe(Source("former"), "arm1", Valid).Dispose();
+        Describe(client, "arm1", "not xml");
+
+        client.Release("/arm1" + RosTopics.RobotDescription);
+
+        Assert.That(_conditions.Read(), Is.Empty);
+    }
+
+    // A source may connect only to send its description.
+    [Test]
+    public void Description_SourceOfAnInvalidOneHasEnded_IsAConditionFor5Seconds()
+    {
+        Describe(Source("former"), "", Valid).Dispose();
+        Describe(Source("client"), "", "not xml").Dispose();
+
+        _time.Advance(TimeSpan.FromSeconds(4));
+        Assert.That(Which(), Has.Length.EqualTo(1));
+        _time.Advance(TimeSpan.FromSeconds(2));
+        Assert.That(Which(), Is.Empty);
+    }
+
+    // The description of a source that waits for its robot is examined when the source takes over the joints.
+    [Test]
+    public void Description_InvalidWhenTheSourceTakesOverTheJoints_IsACondition()
+    {
+        HubSource former = Source("former"), client = Source("client");
+        Describe(former, "", Valid);
+        Describe(client, "", "not xml");
+        Assert.That(_conditions.Read(), Is.Empty);
+
+        former.Dispose();
+        client.Publish(Gateways.State(1, "a"));
+
+        Assert.That(Which(), Has.Length.EqualTo(1));
+    }
+
+    static HubSource Describe(HubSource source, string robot, string urdf)
+    {
+        source.Describe(urdf, robot);
+        return source;
     }
 
     [Test]
