@@ -212,7 +212,7 @@ sealed class RosbridgeSession : IDisposable
 
         var refusal = RefuseName(name) ?? _publisher.Publish(message, stamp, _receivedAt);
         if (refusal != null) _replies.Drop(message, refusal.Value);
-        if (_publisher.Warning is { } warning) _replies.Warn(message, warning);
+        if (refusal == null && _publisher.Warning is { } warning) _replies.Warn(message, warning);
         if (refusal is null or { IsPartial: true }) _publisher.AddStamp(message, stamp, false);
         if (Unsupported.MayBeIn(_text.Span, message)) Warn(message);
         _replies.DropParts(message, _publisher.LeftOut);

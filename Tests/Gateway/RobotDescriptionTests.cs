@@ -66,6 +66,23 @@ public class RobotDescriptionTests
     }
 
     [Test]
+    public async Task Publish_RefusedNameAfterAnInvalidDescription_HasNoWarningAboutTheDescription()
+    {
+        await using var gateway = await Gateways.StartAsync();
+        using var owner = await RawRosbridgeClient.ConnectAsync(gateway);
+        using var source = await RawRosbridgeClient.ConnectAsync(gateway);
+        await owner.SendAsync(Diagnostics("goggles"));
+        await owner.RoundTripAsync();
+        await source.SendAsync(Text("not xml"));
+        Assert.That((await source.ReceiveAsync()).Level, Is.EqualTo("warning"));
+
+        await source.SendAsync(Diagnostics("goggles"));
+
+        await source.ExpectErrorAsync(nameof(DropReason.JointTaken));
+        await source.RoundTripAsync();
+    }
+
+    [Test]
     public async Task Publish_ValidAfterAnotherDescription_ReplacesIt()
     {
         await using var gateway = await Gateways.StartAsync();
@@ -93,4 +110,7 @@ public class RobotDescriptionTests
         await source.ExpectErrorAsync(nameof(DropReason.TooLarge));
         Assert.That(gateway.Hub.DescriptionOf(""), Is.Null);
     }
+
+    static string Diagnostics(string hardwareId) => RosbridgeWriter.Publish(
+        RosTopics.Diagnostics, new DiagnosticsMessage(Gateways.Start, hardwareId, [KeyValuePair.Create("state", "connected")]), RosTimeForm.Sec);
 }
