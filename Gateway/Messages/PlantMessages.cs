@@ -1,3 +1,5 @@
+using Nowpose.Protocol;
+
 namespace Nowpose.Gateway.Messages;
 
 /// <summary>Error messages about simulated and recorded plants.</summary>
@@ -20,6 +22,10 @@ static class PlantMessages
     public static string ColumnCount(string file, int columns, string names, string robot, int joints) =>
         $"{file}: the recording has {columns} columns ({names}), but robot {robot} has {joints} joints that move independently; remove "
         + "columns, or choose a robot with at least one such joint for each column";
+
+    /// <param name="bytes">Length of the message with the description.</param>
+    public static string LongDescription(string file, int bytes) =>
+        $"{file}: a message with this description has {bytes} bytes, and the maximum is {ProtocolLimits.DescriptionBytes} bytes; shorten it";
 
     public static string NoRobot(string allowed) => $"no robot is named; {allowed}";
     public static string IsAFolder(string path, string allowed) => $"{path}: is a folder; {allowed}";

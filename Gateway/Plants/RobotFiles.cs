@@ -1,12 +1,16 @@
+using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Kinematics;
+using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Plants;
 
 /// <summary>Loads robot models: an included robot by its name, or another robot by the path of its URDF.</summary>
 public static class RobotFiles
 {
+    static readonly string MaxNamespace = new('a', ProtocolLimits.NamespaceLength);
+
     static readonly string[] Included = ["youbot", "ur5", "ur3e", "ur5e", "ur10e", "ur16e"];
 
     /// <summary>The names of the included robots, for option help and messages.</summary>
@@ -18,13 +22,17 @@ public static class RobotFiles
     /// <summary>Loads a robot model.</summary>
     /// <param name="nameOrPath">Name of an included robot, such as "ur5e", or path of a .urdf file.</param>
     /// <exception cref="InputException">The file does not exist or cannot be read, or its URDF is invalid.</exception>
-    public static RobotModel Load(string nameOrPath) => Load(nameOrPath, out _);
+    public static RobotModel Load(string nameOrPath) => UrdfReader.Read(LoadText(nameOrPath), nameOrPath);
 
-    /// <param name="urdf">The text of the URDF, as sent to headsets.</param>
-    /// <inheritdoc cref="Load(string)"/>
+    /// <summary>Loads a robot model whose description is sent to headsets.</summary>
+    /// <param name="urdf">The text of the URDF.</param>
+    /// <exception cref="InputException">The file does not exist or cannot be read, or its URDF is invalid, or too long for a message.</exception>
+    /// <inheritdoc cref="Load(string)" path="/param"/>
     public static RobotModel Load(string nameOrPath, out string urdf)
     {
         urdf = LoadText(nameOrPath);
+        var message = HubMessage.Description(urdf, MaxNamespace, source: null, receivedAt: 0);
+        if (message.IsTooLong) throw new InputException(PlantMessages.LongDescription(nameOrPath, message.Utf8(RosTimeForm.Sec).Length));
         return UrdfReader.Read(urdf, nameOrPath);
     }
 

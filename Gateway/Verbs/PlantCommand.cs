@@ -35,7 +35,7 @@ static class PlantCommand
                         server.Check(parsed, found);
                         var motionFor = found.Try(() => motionOf(parsed));
                         // If the entry is invalid, the motion would be compared with the default robot.
-                        var model = configured.AreKnown(plant.RobotOption) ? found.Try(() => RobotFiles.Load(plant.Robot(parsed))) : null;
+                        var model = configured.AreKnown(plant.RobotOption) ? found.Try(() => RobotFiles.Load(plant.Robot(parsed), out _)) : null;
                         if (motionFor != null && model != null) found.Good("warning", found.Try(() => WarningOf(motionFor(model))));
                         if (model != null) found.Good("robot", plant.Robot(parsed));
                         return found;
