@@ -38,8 +38,8 @@ public sealed class ForwardingTimes(TimeProvider time = null)
     /// <summary>Gets the newest times of the last minute, at most 8192, the shortest first.</summary>
     internal TimeSpan[] SortedRecent()
     {
-        (long At, TimeSpan Length)[] recent;
-        // Sorts outside the lock, so that senders do not wait for it.
+        IEnumerable<(long At, TimeSpan Length)> recent;
+        // Selects and sorts outside the lock, so that senders do not wait for it.
         lock (_lock) recent = _recent.Read(_time.GetTimestamp());
         return [.. recent.Select(one => one.Length).Order()];
     }

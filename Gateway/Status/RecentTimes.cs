@@ -24,6 +24,10 @@ sealed class RecentTimes(int capacity, TimeSpan span, TimeProvider time)
         foreach (var (at, length) in both) Add(at, length);
     }
 
-    /// <summary>Gets the recent durations.</summary>
-    public (long At, TimeSpan Length)[] Read(long now) => [.. _ring.Take(_count).Where(one => time.GetElapsedTime(one.At, now) < span)];
+    /// <summary>Copies the durations. The recent ones are selected when the result is enumerated, which needs no lock.</summary>
+    public IEnumerable<(long At, TimeSpan Length)> Read(long now)
+    {
+        var copy = _ring[.._count];
+        return copy.Where(one => time.GetElapsedTime(one.At, now) < span);
+    }
 }

@@ -25,5 +25,5 @@ sealed class SourceTrack(TimeProvider time)
     }
 
     /// <summary>Gets the samples of the last few seconds.</summary>
-    public (long At, TimeSpan Age)[] Recent(long now) => _ages.Read(now);
+    public (long At, TimeSpan Age)[] Recent(long now) => [.. _ages.Read(now)];
 }

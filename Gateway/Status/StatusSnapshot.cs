@@ -146,7 +146,7 @@ sealed record SourceStatus(IReadOnlyList<string> Joints, double RateHz, AgeStatu
 
 sealed record AgeStatus(double P50, double P95);
 
-/// <summary>Percentiles of the time from a sample's receipt until it is written to a subscriber's socket, over the last 30 to 60 s.</summary>
+/// <summary>Percentiles of the time from a sample's receipt until it is written to a subscriber's socket, over the last minute.</summary>
 sealed record SpanStatus(double P50, double P99);
 
 /// <summary>The connections of one server.</summary>
