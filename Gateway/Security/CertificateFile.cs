@@ -16,8 +16,6 @@ public sealed class CertificateFile
     readonly CertificatePin _pin;
     readonly string _path;
     readonly string _keyPath;
-    readonly Action<string> _log;
-    DateTime? _until;
 
     /// <param name="path">Path of a .pfx or .pem file. If the file does not exist, it is created with a new certificate.</param>
     /// <param name="keyPath">Path of the .pem file of the key; null if the key is in the certificate's file.</param>
@@ -27,12 +25,16 @@ public sealed class CertificateFile
     {
         using (var first = CertificateFiles.LoadOrGenerate(path, keyPath, hostNames))
             _pin = CertificatePin.Of(first);
-        (_path, _keyPath, _log) = (path, keyPath, log);
+        (_path, _keyPath) = (path, keyPath);
         _file = new FollowedFile<ServerCertificate>([path, keyPath], (out string fault) =>
         {
             fault = null;
             return Load(path, keyPath);
-        }, Settles, log);
+        }, Settles, log, (former, renewed) =>
+        {
+            if (former.Certificate.NotAfter != renewed.Certificate.NotAfter)
+                log?.Invoke(KeyFileMessages.Renewed(renewed.Certificate.NotAfter.ToUniversalTime()));
+        });
     }
 
     internal ServerCertificate Current => _file.Current;
@@ -56,9 +58,6 @@ public sealed class CertificateFile
             throw new InputException(KeyFileMessages.OtherKey(path, pin));
         }
 
-        var until = loaded.Certificate.NotAfter.ToUniversalTime();
-        if (_until is { } former && former != until) _log?.Invoke(KeyFileMessages.Renewed(until));
-        _until = until;
         return loaded;
     }
 }

@@ -14,6 +14,7 @@ sealed class FollowedFile<T>
     readonly Reader _read;
     readonly TimeSpan _settles;
     readonly Action<string> _log;
+    readonly Action<T, T> _replaced;
     readonly object _gate = new();
     T _value;
     Stamp[] _stamps;
@@ -25,13 +26,15 @@ sealed class FollowedFile<T>
     /// <param name="read">Reads the file.</param>
     /// <param name="settles">Minimum age of a change before the file is read again, so that a program can finish writing it.</param>
     /// <param name="log">Receives one line per fault; null for no log.</param>
+    /// <param name="replaced">Called with the former and the new content when a new content is used; null for no call.</param>
     /// <exception cref="InputException">The file is invalid.</exception>
-    public FollowedFile(IEnumerable<string> paths, Reader read, TimeSpan settles, Action<string> log)
+    public FollowedFile(IEnumerable<string> paths, Reader read, TimeSpan settles, Action<string> log, Action<T, T> replaced = null)
     {
         _files = [.. paths.Where(path => path != null).Select(path => new FileInfo(path))];
         _read = read;
         _settles = settles;
         _log = log ?? (_ => { });
+        _replaced = replaced;
         // Gets the stamps before reading, so that a change during the reading is detected later.
         _stamps = Stamps();
         _value = read(out var fault);
@@ -63,6 +66,7 @@ sealed class FollowedFile<T>
         {
             var value = _read(out var fault);
             if (IsChangedSince(stamps)) return;
+            _replaced?.Invoke(_value, value);
             _value = value;
             _stamps = stamps;
             _faultOfValue = fault == null ? null : fault + AccessMessages.OtherLinesUsed;

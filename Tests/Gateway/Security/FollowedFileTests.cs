@@ -42,6 +42,7 @@ public class FollowedFileTests
     public void File_WrittenDuringRead_IsReadAgain(string meanwhile, string fault = null)
     {
         var isBeingWritten = false;
+        var used = new List<string>();
         var file = new FollowedFile<string>([_path], (out string part) =>
         {
             part = null;
@@ -50,12 +51,13 @@ public class FollowedFileTests
             isBeingWritten = false;
             File.WriteAllText(_path, "the whole second text");
             return fault == null ? text : throw new InputException(fault);
-        }, TimeSpan.Zero, _log.Add);
+        }, TimeSpan.Zero, _log.Add, (former, now) => used.Add($"{now} after {former}"));
         File.WriteAllText(_path, meanwhile);
         isBeingWritten = true;
 
         Assert.That(file.Current, Is.EqualTo("first"), "the file was read while it was written");
         Assert.That(file.Current, Is.EqualTo("the whole second text"));
         Assert.That(_log, Is.Empty);
+        Assert.That(used, Is.EqualTo(new[] { "the whole second text after first" }));
     }
 }
