@@ -3,7 +3,7 @@ using Nowpose.Frames;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Messages;
 using Nowpose.Protocol;
-using static Nowpose.Gateway.Rosbridge.ReceivedValue;
+using static Nowpose.Frames.InvalidTransform;
 
 namespace Nowpose.Gateway.Rosbridge;
 
@@ -17,21 +17,22 @@ static class InvalidCellMessage
     /// <param name="kind"><see cref="CellKinds.Frame"/> or <see cref="CellKinds.Signal"/>.</param>
     public static string Describe(string body, string name, string kind, DropReason reason)
     {
-        var what = $"{kind} {(name.Length == 0 ? CellMessageFaults.NoName : Name(name))}";
+        var what = $"{kind} {(name.Length == 0 ? CellMessageFaults.NoName : InputException.OneLine(name, ProtocolLimits.NameLength))}";
         var trouble = kind == CellKinds.Signal ? OfSignal(body, reason) : OfTransform(body, reason);
         return trouble == null ? $"{what}: {DropMessages.Of(reason)}" : $"{what} {trouble}";
     }
 
     static string OfTransform(string body, DropReason reason) => reason == DropReason.StampZero ? CellMessageFaults.StampZero
-        : InvalidTransform.Parse(body)?.SelectToken("transforms[0]") is JObject transform ? InvalidTransform.ProblemOf(transform, reason) : null;
+        : Parse(body)?.SelectToken("transforms[0]") is JObject transform ? ProblemOf(transform, reason) : null;
 
     static string OfSignal(string body, DropReason reason) => reason switch
     {
         DropReason.DuplicateName => CellMessageFaults.Twice,
-        DropReason.NotFinite => CellMessageFaults.Has("value", Value(body) is { } value ? Text(value) : ""),
-        DropReason.WrongType when Value(body) is { Type: not (JTokenType.Integer or JTokenType.Float) } value => CellMessageFaults.NotANumber(Text(value)),
+        DropReason.NotFinite => CellMessageFaults.Has("value", Value(body) is { } value ? Shown(value) : ""),
+        DropReason.WrongType when Value(body) is { Type: not (JTokenType.Integer or JTokenType.Float) } value =>
+            CellMessageFaults.NotANumber(Shown(value)),
         _ => null,
     };
 
-    static JToken Value(string body) => InvalidTransform.Parse(body)?.SelectToken("value[0]");
+    static JToken Value(string body) => Parse(body)?.SelectToken("value[0]");
 }

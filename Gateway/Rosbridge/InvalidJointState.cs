@@ -2,6 +2,7 @@ using System.Text;
 using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
 using Nowpose.Protocol;
+using static Nowpose.Frames.InvalidTransform;
 
 namespace Nowpose.Gateway.Rosbridge;
 
@@ -48,8 +49,8 @@ static class InvalidJointState
     {
         for (var i = 0; i < Math.Min(names.Count, values?.Count ?? 0); i++)
         {
-            if (!ReceivedValue.IsFinite(values[i]))
-                return $"{Field} of joint {ReceivedValue.Name(names[i].ToString())} is {ReceivedValue.Text(values[i])}";
+            if (!IsFinite(values[i]))
+                return $"{Field} of joint {InputException.OneLine(names[i].ToString(), ProtocolLimits.NameLength)} is {Shown(values[i])}";
         }
 
         return null;

@@ -30,7 +30,7 @@ public class InvalidCellMessageTests
         static string Wrong(string value, string allowed) => "frame box " + FrameMessages.WrongField("transform.translation.x", value, allowed);
 
         Assert.That(Of("NaN", DropReason.NotFinite), Is.EqualTo(Wrong("NaN", FrameMessages.FiniteNumber)));
-        Assert.That(Of("2e6", DropReason.OutOfRange), Is.EqualTo(Wrong("2000000.0", FrameMessages.Coordinate(1e6))));
+        Assert.That(Of("2e6", DropReason.OutOfRange), Is.EqualTo(Wrong("2000000", FrameMessages.Coordinate(1e6))));
         Assert.That(Of("\"2\"", DropReason.WrongType), Is.EqualTo(Wrong("\"2\"", FrameMessages.FiniteNumber)));
         Assert.That(Of("2", DropReason.MissingField), Is.EqualTo("frame box " + FrameMessages.NoField("header")));
     }

@@ -111,14 +111,17 @@ namespace Nowpose.Frames
         static bool IsNumber(JToken value) =>
             value?.Type == JTokenType.Integer || value?.Type == JTokenType.Float || value?.Type == JTokenType.Null;
 
-        static bool IsFinite(JToken value) =>
+        /// <summary>Whether a value is a finite number.</summary>
+        /// <param name="value">The value; null if it is missing.</param>
+        public static bool IsFinite(JToken value) =>
             value?.Type == JTokenType.Integer || value?.Type == JTokenType.Float && !double.IsNaN((double)value) && !double.IsInfinity((double)value);
 
-        // Newtonsoft.Json adds quotation marks to NaN.
-        static string Shown(JToken value)
+        /// <summary>Formats a value from an invalid message on one line, shortened.</summary>
+        public static string Shown(JToken value)
         {
-            var text = value.ToString(Formatting.None);
-            return InputException.OneLine(value.Type == JTokenType.Float ? text.Trim('"') : text, MaxValueLength);
+            // Newtonsoft.Json adds quotation marks to NaN, and a decimal point to a whole number such as 2e6.
+            var text = value.Type == JTokenType.Float ? ((double)value).ToString("R", CultureInfo.InvariantCulture) : value.ToString(Formatting.None);
+            return InputException.OneLine(text, MaxValueLength);
         }
     }
 }

@@ -68,7 +68,7 @@ namespace Nowpose.Tests.Core.Frames
             new object[]
             {
                 "\"x\": 0.5", "\"x\": 2e6", 14,
-                FrameMessages.OfFrame("box", FrameMessages.WrongField("transform.translation.x", "2000000.0", FrameMessages.Coordinate(1e6))),
+                FrameMessages.OfFrame("box", FrameMessages.WrongField("transform.translation.x", "2000000", FrameMessages.Coordinate(1e6))),
             },
             new object[]
             {
