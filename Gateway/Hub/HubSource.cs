@@ -112,6 +112,7 @@ public sealed class HubSource : IDisposable
     Refusal? Describe(HubMessage message, DescribedRobot described)
     {
         var refusal = _hub.Describe(this, message, described);
+        if (refusal is { Reason: DropReason.NotUrdf } invalid) _hub.ReportRefused(this, message.Topic, "", invalid);
         if (refusal?.Reason == DropReason.JointTaken) _refused[message.Robot] = (message, described);
         else _refused.Remove(message.Robot);
         return refusal;

@@ -172,14 +172,12 @@ public sealed class MessageHub
         // Under the lock, so that a new subscriber receives the message exactly once, either as the kept message or as a new one.
         lock (_lock)
         {
-            if (Claim(source, message.Robot, RosTopics.RobotDescription, ["the robot"], out _) is { } refusal) return refusal;
-            if (!isValid && Links.Described.GetValueOrDefault(message.Robot)?.Model != null)
-            {
-                var invalid = new Refusal(DropReason.NotUrdf, DropMessages.KeptDescription, Rule: described.Fault);
-                ReportRefused(source, message.Topic, "", invalid);
-                return invalid;
-            }
-
+            string[] robot = ["the robot"];
+            var keeps = !isValid && Links.Described.GetValueOrDefault(message.Robot)?.Model != null;
+            // A source does not become the owner with a description that is refused.
+            if (keeps && _owners.FindTaken(source, message.Topic, robot) == null)
+                return new Refusal(DropReason.NotUrdf, DropMessages.KeptDescription, Rule: described.Fault);
+            if (Claim(source, message.Robot, RosTopics.RobotDescription, robot, out _) is { } refusal) return refusal;
             _robots.Describe(message);
             Links.Describe(message.Robot, described);
             Publish(message);

@@ -75,6 +75,22 @@ public class SourceDescriptionTests
     }
 
     [Test]
+    public void Describe_InvalidFromAnotherSource_DoesNotReserveTheRobot()
+    {
+        var first = _hub.OpenSource();
+        first.Describe(RobotFiles.LoadText("ur5"));
+        first.Dispose();
+        using var tool = _hub.OpenSource();
+        using var plant = _hub.OpenSource();
+        var urdf = RobotFiles.LoadText("ur10e");
+
+        Assert.That(tool.Describe("not xml")?.Reason, Is.EqualTo(DropReason.NotUrdf));
+        Assert.That(plant.Describe(urdf), Is.Null);
+
+        Assert.That(_hub.DescriptionOf(""), Is.EqualTo(urdf));
+    }
+
+    [Test]
     public void Publish_DescriptionWithdrawnBeforeTheTakeover_KeepsTheEarlierDescription()
     {
         var first = _hub.OpenSource();
