@@ -62,6 +62,7 @@ describe('connections to another program', { concurrency: 4 }, () => {
     ['MqttHasNoTls', 'mqtts', closes, port => brokerMessages.noBroker(`mqtts://localhost:${port}`, ANY)],
     ['MqttRefusesTheCertificate', 'mqtts', alerts(48), () => brokerMessages.certificateRefused('unknown ca')],
     ['MqttRefusesTheTlsVersion', 'mqtts', alerts(70), () => brokerMessages.handshakeRefused('protocol version')],
+    ['MqttRefusesTheHostName', 'mqtts', alerts(112), () => brokerMessages.handshakeRefused('unrecognized name')],
     ['MqttIsUnavailable', 'mqtt', responds([0x20, 3, 0, 0x88, 0]), port => brokerMessages.refusesWith(`mqtt://127.0.0.1:${port}`, 'Connection refused: Server unavailable')],
     ['MqttRefusesAllVersions', 'mqtt', responds([0x20, 2, 0, 1]), port => brokerMessages.refusesWith(`mqtt://127.0.0.1:${port}`, 'Connection refused: Unacceptable protocol version')],
     ['BrokerHasVersion3', 'broker', responds([0x20, 2, 0, 1]), port => brokerMessages.noMqtt5(`mqtt://127.0.0.1:${port}`)],

@@ -170,7 +170,7 @@ export class AdsSession {
         lose: (index, error) => {
           if (this.#isRunning) this.#lose(index, error, adsMessages.notReadable);
         },
-        refused: (index, error) => this.#lose(index, error, adsMessages.notNotified),
+        refused: (index, error) => this.#lose(index, error, isAdsError(error) ? adsMessages.notNotified : adsMessages.notReadable),
         renew: async (index, value) => {
           for (const [handle, watched] of this.#watched) {
             if (watched.index !== index) continue;

@@ -87,8 +87,9 @@ export class SilentSymbols {
     const unchanged = new Set<number>();
     const olderThan = (ms: number, isRefused: boolean): number[] =>
       this.#symbols.flatMap((symbol, index) => (symbol?.isRefused === isRefused && began - symbol.heardAt >= ms ? [index] : []));
-    // Tries only one refused subscription again, so that the others are not read late.
-    const silent = [...olderThan(silence, false), ...olderThan(RETRY_MS, true).slice(0, 1)];
+    // Tries only one refused subscription again, the one that has waited longest, so that the others are not read late.
+    const refused = olderThan(RETRY_MS, true).sort((a, b) => this.#symbols[a]!.heardAt - this.#symbols[b]!.heardAt);
+    const silent = [...olderThan(silence, false), ...refused.slice(0, 1)];
     await Promise.all(
       silent.map(async index => {
         if (await this.#isUnchanged(index, began)) unchanged.add(index);

@@ -46,7 +46,7 @@ export const adsMessages = {
   newProgram: 'the PLC has a new program; its variables are looked up again',
   moved: (symbol: string) => `the size of ${symbol} has changed; the PLC's variables are looked up again`,
   notNotified: (symbol: string, reason: string) =>
-    `the PLC refuses the notification of ${symbol}: ${reason}; it is requested again every 10 s; if this happens only with some symbols, read fewer, or `
+    `the PLC refuses the notification of ${symbol}: ${reason}; it is requested again about every 10 s; if this happens only with some symbols, read fewer, or `
     + 'end other clients of this PLC, because its number of notifications is limited',
   notReadable: (symbol: string, reason: string) => `${symbol} cannot be read: ${reason}`,
   valuesStopped: "the PLC's program is not running, so its variables are not current",
