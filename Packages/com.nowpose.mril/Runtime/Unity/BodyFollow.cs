@@ -42,7 +42,14 @@ namespace Nowpose.Unity
 
         internal bool IsGliding => _following.IsGliding;
 
-        void OnEnable() => _following = default;
+        // Places an object that has just been switched on before it is drawn. The next frame places it again, because the head has no pose yet at the
+        // start of the app.
+        void OnEnable()
+        {
+            _following = default;
+            LateUpdate();
+            _following = default;
+        }
 
         void LateUpdate()
         {
