@@ -83,9 +83,15 @@ sealed class StatusReplies(HubSource source, DropCounters drops, PublishRights r
 
     void ReportDropped(string robot, JointStateMessage valid, string rule, DropReason reason)
     {
+        // The joints of a client that may not publish any are not joints of the plant.
+        if (reason == DropReason.NotAllowed)
+        {
+            source.ReportBrokenRule(EventTexts.IsRefused, RequestMessages.Dropped(source.Title, rule, reason));
+            return;
+        }
+
         var (names, trouble) = valid == null ? InvalidJointState.Read(Received.Span) : (valid.Names, null);
-        var text = reason == DropReason.NotAllowed ? rule : trouble ?? rule;
-        source.ReportDropped(robot, names, RequestMessages.Dropped(source.Title, text, reason), reason);
+        source.ReportDropped(robot, names, RequestMessages.Dropped(source.Title, trouble ?? rule, reason), reason);
     }
 
     void ReportRefused(RobotTopic topic, JointTrajectoryMessage valid, string rule, DropReason reason)

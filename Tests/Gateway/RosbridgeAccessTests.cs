@@ -61,6 +61,7 @@ public class RosbridgeAccessTests
         var refusals = new List<(DropReason Reason, string Text)>();
         gateway.Hub.MessageRefused += (_, _, _, refusal) => refusals.Add((refusal.Reason, refusal.Rule));
         gateway.Hub.SampleDropped += (_, _, text, reason) => refusals.Add((reason, text));
+        gateway.Hub.RuleBroken += (_, _, rule) => refusals.Add((DropReason.NotAllowed, rule));
         using var observer = await RawRosbridgeClient.ConnectAsync(gateway, Bearer(Gateways.ObserverToken));
         const string Publish = "{\"op\":\"publish\",\"topic\":\"/joint_", Header = "\",\"msg\":{\"header\":{\"stamp\":{\"sec\":5000,\"nanosec\":0}},";
 
@@ -73,6 +74,23 @@ public class RosbridgeAccessTests
         Assert.That(refusals, Has.Count.EqualTo(2).And.All.Matches<(DropReason Reason, string Text)>(
             refusal => refusal.Reason == DropReason.NotAllowed && refusal.Text.Contains(DropMessages.Of(DropReason.NotAllowed))));
         Assert.That(gateway.Drops[DropReason.NotAllowed], Is.EqualTo(2));
+    }
+
+    [Test]
+    public async Task Observer_PublishesAJointOfASource_IsNoConflictOfTwoSources()
+    {
+        await using var gateway = await Gateways.StartAsync(WithTokens);
+        using var source = gateway.Hub.OpenSource();
+        source.Publish(Gateways.State(1, "a"));
+        var (conflicts, broken) = (0, 0);
+        gateway.Hub.Refused += (_, _, _, _) => conflicts++;
+        gateway.Hub.RuleBroken += (_, _, _) => broken++;
+        using var observer = await RawRosbridgeClient.ConnectAsync(gateway, Bearer(Gateways.ObserverToken));
+
+        await observer.SendAsync(State());
+        await observer.ExpectErrorAsync(nameof(DropReason.NotAllowed));
+
+        Assert.That((conflicts, broken), Is.EqualTo((0, 1)));
     }
 
     [Test]

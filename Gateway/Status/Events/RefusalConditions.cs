@@ -22,7 +22,6 @@ sealed class RefusalConditions
         hub.TopicReleased += _messages.Release;
         hub.NameRefused += _names.Add;
         hub.RuleBroken += _rules.Add;
-        hub.SampleDropped += AddNotAllowed;
     }
 
     /// <summary>Ends the refusals about the joints of accepted set-points, or about the robot of an accepted description.</summary>
@@ -32,11 +31,6 @@ sealed class RefusalConditions
 
     public IEnumerable<Condition> Read() => _owned.Read().Select(OfOwned).Concat(_messages.Read().Select(OfMessage))
         .Concat(_names.Read().Select(OfName)).Concat(_rules.Read().Select(OfRule));
-
-    void AddNotAllowed(HubSource source, string[] names, string reason, DropReason code)
-    {
-        if (code == DropReason.NotAllowed) _rules.Add(source, EventTexts.IsRefused, reason);
-    }
 
     static Condition OfOwned((string Source, string Kind, string Name, string Owner) one) =>
         OfSource(one.Source, $"{one.Kind} {one.Name}", EventTexts.Taken(one.Owner, one.Kind), EventRemedies.TwoSources);

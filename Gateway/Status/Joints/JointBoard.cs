@@ -65,8 +65,6 @@ sealed class JointBoard(
     /// </summary>
     public void Refuse(HubSource source, string[] names, string reason, DropReason drop = DropReason.None)
     {
-        // The joints of a client that may not publish any are not joints of the plant.
-        if (drop == DropReason.NotAllowed) return;
         var word = JointFaultReasons.Of(drop);
         lock (_lock)
         {
