@@ -8,7 +8,7 @@ export const isOtherName = (code: unknown): boolean => code === 'ERR_TLS_CERT_AL
  * Gets the TLS alert with which a server has ended a connection, such as `unknown ca`; undefined if there is none. Reads the message of the error of
  * Node.js, because with TLS 1.2, its code is mostly EPROTO.
  */
-export const alertIn = (message: string): string | undefined => /:(?:tls|ssl)v\d+ (?:alert )?([a-z ]+)/.exec(message)?.[1];
+export const alertIn = (message: string): string | undefined => /:(?:tls|ssl)(?:v\d+|\/tls) (?:alert )?([a-z ]+)/.exec(message)?.[1];
 
 /** Whether a server refuses the certificate of this client, or its absence, with this TLS alert. */
 export const isCertificateRefused = (alert: string): boolean => /certificate|unknown ca/.test(alert);

@@ -39,6 +39,7 @@ export const brokerMessages = {
   /** @param alert TLS alert of the broker. */
   handshakeRefused: (alert: string) =>
     `the broker refuses the TLS connection (${alert}); if it requires a certificate of this client, set plant.user.certificate and plant.user.key; `
+    + 'if it selects its certificate by host name, enter this name in plant.endpoint, not an IP address; '
     + "otherwise, compare its TLS versions and ciphers with those of Node.js, and check the broker's log",
   noPublisher: (topic: string) => `no client publishes ${topic} on the broker yet; check that the bridge with direction: publish is running`,
   gatewayAway: "the bridge has lost the connection to the plant's gateway",
