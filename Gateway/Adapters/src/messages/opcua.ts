@@ -45,9 +45,13 @@ export const opcuaMessages = {
   sessionClosed: 'the server closed the session',
   subscriptionEnded: 'the server ended the subscription',
   subscriptionStatus: (status: string) => `the server ended the subscription (${status})`,
-  unmodified: (reason: string, seconds: number) =>
-    `the server does not modify its subscription (${reason}), so it keeps the subscription for ${seconds} s after a lost connection; if it then has no `
-    + 'free subscription, wait for this time',
+  /**
+   * @param lifetime Time for which the server keeps a subscription without a client, s.
+   * @param silence Time without notifications after which the adapter reconnects, s.
+   */
+  unmodified: (reason: string, lifetime: number, silence: number) =>
+    `the server does not modify its subscription (${reason}), so it keeps the subscription for ${lifetime} s after a lost connection; if it then has no `
+    + `free subscription, wait for this time; if it no longer sends notifications, the adapter reconnects only after ${silence} s`,
   slow: (samplingMs: number, publishingMs: number) =>
     `the server samples every ${samplingMs} ms and sends every ${publishingMs} ms, less often than requested, so headsets show moving joints and `
     + 'objects less accurately, and with more than 100 ms mostly as held; lower the minimum sampling and publishing intervals of the server (TIA '

@@ -15,6 +15,9 @@ const QUIET_LOOK_MS = 60;
 const SILENCE_MS = 5000;
 const MISSED = 3;
 
+/** Gets the time in ms without notifications after which a server counts as silent. `keepAliveMs` is the interval of its keep-alive messages. */
+export const maxSilenceMs = (keepAliveMs: number): number => Math.max(SILENCE_MS, MISSED * keepAliveMs);
+
 /** Detects a server that no longer responds, from its notifications, its keep-alive messages and the readings of its clock. */
 export class ServerSilence {
   #heard = performance.now();
@@ -42,7 +45,7 @@ export class ServerSilence {
     hasSilent: () => boolean,
     look: (time: Nanoseconds | null) => Promise<void>,
   ): Promise<string> {
-    const longest = Math.max(SILENCE_MS, MISSED * keepAliveMs);
+    const longest = maxSilenceMs(keepAliveMs);
     let isOver = false;
     let looked = performance.now();
     void ended.then(() => {

@@ -1,5 +1,6 @@
 import { type ClientSession, ClientSubscription, type ModifySubscriptionOptions } from 'node-opcua-client';
 import { opcuaMessages } from '../messages/opcua';
+import { maxSilenceMs } from './serverSilence';
 import { requestTrouble } from './troubles';
 
 const KEEP_ALIVE_MS = 1000;
@@ -24,15 +25,17 @@ export async function subscribe(session: ClientSession, publishingMs: number): P
   return { subscription, unmodified: await adapt(subscription, publishingMs) };
 }
 
-// Without this, a slow server would keep the subscription for many minutes after a lost connection.
+// Without this, a slow server would keep the subscription for many minutes after a lost connection, and the adapter would wait as long for missing
+// notifications.
 async function adapt(subscription: ClientSubscription, requestedMs: number): Promise<string | null> {
-  const { publishingInterval, lifetimeCount } = subscription;
+  const { publishingInterval, lifetimeCount, maxKeepAliveCount } = subscription;
   if (publishingInterval === requestedMs) return null;
   try {
     await subscription.modify(countsFor(publishingInterval));
     return null;
   } catch (error) {
-    return opcuaMessages.unmodified(requestTrouble(error as Error), Math.round((publishingInterval * lifetimeCount) / 1000));
+    const [lifetimeMs, silenceMs] = [publishingInterval * lifetimeCount, maxSilenceMs(publishingInterval * maxKeepAliveCount)];
+    return opcuaMessages.unmodified(requestTrouble(error as Error), Math.round(lifetimeMs / 1000), Math.round(silenceMs / 1000));
   }
 }
 
