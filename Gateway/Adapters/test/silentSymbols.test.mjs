@@ -7,7 +7,7 @@ const { SilentSymbols } = await parts('ads/silentSymbols');
 
 describe('silent symbols', () => {
   function plc(isOnChange = true) {
-    const cell = { now: 0, values: [1, 2], confirmed: [], lost: [], renewed: [], refused: [], isRefusing: false };
+    const cell = { now: 0, values: [1, 2], confirmed: [], lost: [], renewed: [], isRefusing: false, isRunning: true };
     cell.symbols = new SilentSymbols([true, true], 100, isOnChange, {
       read: async joint => {
         if (cell.values[joint] === null) throw new Error('gone');
@@ -17,12 +17,12 @@ describe('silent symbols', () => {
         cell.confirmed.push([...joints]);
         cell.agoMs = agoMs;
       },
+      isRunning: () => cell.isRunning,
       lose: (joint, error) => cell.lost.push([joint, error.message]),
       renew: async joint => {
         cell.renewed.push(joint);
         if (cell.isRefusing) throw new Error('refused');
       },
-      refused: (joint, error) => cell.refused.push([joint, error.message]),
     }, () => cell.now);
     cell.look = () => {
       cell.now += 500;
@@ -122,7 +122,7 @@ describe('silent symbols', () => {
         if (cell.renewed.length > length) requests.push(cell.now);
       }
     };
-    cell.symbols.refuse(0);
+    cell.symbols.refuse(0, new Error('refused at first'));
     cell.isRefusing = true;
 
     await lookUntil(25_000);
@@ -132,17 +132,33 @@ describe('silent symbols', () => {
     await cell.look();
 
     assert.deepEqual(requests, [10_000, 20_000, 30_000]);
-    assert.deepEqual([cell.refused, cell.lost], [[[0, 'refused'], [0, 'refused']], [[0, 'gone']]]);
+    assert.deepEqual(cell.lost, [[0, 'refused at first'], [0, 'refused'], [0, 'refused'], [0, 'gone']]);
     // At 30.5 s and 31 s.
     assert.equal(cell.confirmed.filter(joints => joints.includes(0)).length, 2);
+  });
+
+  // A stopped PLC also returns its last values.
+  it('Symbols_ProgramStopped_AreReadAgainAfterTheStart', async () => {
+    const cell = plc();
+    cell.values[0] = null;
+    await cell.look();
+    cell.values[0] = 1;
+
+    cell.isRunning = false;
+    await cell.look();
+    assert.deepEqual([cell.renewed, cell.confirmed], [[], [[1]]]);
+    cell.isRunning = true;
+    await cell.look();
+
+    assert.deepEqual([cell.renewed, cell.confirmed], [[0], [[1], [1]]]);
   });
 
   for (const [name, value, expected] of [['', 1, [0, 1]], ['OneNotReadable', null, [1]]])
     it(`Symbols_SubscriptionsRefused${name}_AreTriedAgainOneAfterTheOther`, async () => {
       const cell = plc(), counts = [];
       cell.values[0] = value;
-      cell.symbols.refuse(0);
-      cell.symbols.refuse(1);
+      for (const symbol of [0, 1]) cell.symbols.refuse(symbol, new Error('refused'));
+      cell.lost = [];
       cell.now += 9500;
 
       for (const _ of [1, 2]) {

@@ -156,6 +156,7 @@ export class AdsSession {
       delayMs,
       isOnChange,
       {
+        isRunning: () => this.#isRunning,
         read: async index => {
           const symbol = symbols[index]!;
           const { indexGroup, indexOffset, size } = symbol;
@@ -164,13 +165,14 @@ export class AdsSession {
         confirm: (confirmed, agoMs) => {
           const { now } = clock;
           const others = symbols.flatMap((_, index) => (confirmed.has(index) ? [] : [index]));
-          if (now === null || !this.#isRunning) return;
+          // While the program is stopped, there is no clock.
+          if (now === null) return;
           output.hold(now - ofMilliseconds(agoMs + STAMP_LAG_MS + samplingMs), ofMilliseconds(3 * samplingMs), new Set(others));
         },
-        lose: (index, error) => {
-          if (this.#isRunning) this.#lose(index, error, adsMessages.notReadable);
+        lose: (index, error, isSubscription) => {
+          const inWords = isSubscription && isAdsError(error) ? adsMessages.notNotified : adsMessages.notReadable;
+          output.lose(index, { reason: 'not-readable', text: inWords(this.settings.values[index].symbol, this.#reasonOf(error)) });
         },
-        refused: (index, error) => this.#lose(index, error, isAdsError(error) ? adsMessages.notNotified : adsMessages.notReadable),
         renew: async (index, value) => {
           for (const [handle, watched] of this.#watched) {
             if (watched.index !== index) continue;
@@ -184,15 +186,8 @@ export class AdsSession {
         },
       },
     );
-    for (const [index, error] of refused) {
-      this.#silent.refuse(index);
-      this.#lose(index, error, adsMessages.notNotified);
-    }
+    for (const [index, error] of refused) this.#silent.refuse(index, error);
     void this.#silent.run(AbortSignal.any([this.context.stopping, this.#ended.signal]));
-  }
-
-  #lose(index: number, error: unknown, inWords: (symbol: string, reason: string) => string): void {
-    this.context.output.lose(index, { reason: 'not-readable', text: inWords(this.settings.values[index].symbol, this.#reasonOf(error)) });
   }
 
   /** Whether the value is a signal, which may be a BOOL. */
@@ -246,7 +241,10 @@ export class AdsSession {
     if (isOnChange && stamp !== null && this.#isRunning)
       this.context.output.hold(stamp - ofMilliseconds(samplingMs + publishingMs), ofMilliseconds(3 * samplingMs), new Set(values.map(v => v.index)));
     if (this.#isRunning) return this.context.output.publish(values.map(value => ({ ...value, stamp })));
-    for (const { index } of values) this.context.output.refuse(index, { reason: 'plc-stopped', text: adsMessages.valuesStopped });
+    for (const { index } of values) {
+      this.context.output.refuse(index, { reason: 'plc-stopped', text: adsMessages.valuesStopped });
+      this.#silent?.discard(index);
+    }
   }
 
   #reportState(): void {

@@ -26,6 +26,8 @@ const HEARD = { isLost: false, isRefused: false, missedSince: null };
 
 /** Reads a symbol and acts on the result. Symbols are identified by their index in the configuration. */
 interface ReadActions {
+  /** Whether the program of the PLC is running. A stopped PLC returns values that are not current, so its symbols are not read. */
+  isRunning(): boolean;
   /**
    * Reads the symbol.
    * @throws Error The PLC no longer has the symbol, or does not respond.
@@ -33,11 +35,10 @@ interface ReadActions {
   read(index: number): Promise<number>;
   /** Confirms that these symbols still had the value of their last notification when they were read. The reads began `agoMs` ms ago. */
   confirm(indices: ReadonlySet<number>, agoMs: number): void;
-  lose(index: number, error: unknown): void;
+  /** @param isSubscription Whether the subscription failed, which is tried again later; otherwise the read failed. */
+  lose(index: number, error: unknown, isSubscription: boolean): void;
   /** Subscribes to the symbol again, because it exists again with this value, or because its notifications do not arrive. */
   renew(index: number, value: number): Promise<void>;
-  /** Called if `renew` fails. It is tried again later. */
-  refused(index: number, error: unknown): void;
 }
 
 /** Reads the symbols for which no notifications arrive, to distinguish a value at rest from a symbol that no longer exists. */
@@ -65,9 +66,15 @@ export class SilentSymbols {
     this.#symbols[index] = { ...HEARD, heardAt: this.#newest, value };
   }
 
-  /** Records that the PLC has refused the subscription to a symbol. */
-  refuse(index: number): void {
+  /** Records that the last value of a symbol was not used. The symbol is subscribed again, because a value at rest receives no other notification. */
+  discard(index: number): void {
+    this.#symbols[index]!.isLost = true;
+  }
+
+  /** Reports that the PLC has refused the subscription to a symbol. */
+  refuse(index: number, error: unknown): void {
     this.#symbols[index] = { heardAt: this.now(), value: null, isLost: true, isRefused: true, missedSince: null };
+    this.actions.lose(index, error, true);
   }
 
   async run(stop: AbortSignal): Promise<void> {
@@ -82,6 +89,7 @@ export class SilentSymbols {
   }
 
   async look(): Promise<void> {
+    if (!this.actions.isRunning()) return;
     const began = this.now();
     const silence = this.isOnChange ? SILENT_MS : lateAfterMs(this.delayMs);
     const unchanged = new Set<number>();
@@ -103,9 +111,11 @@ export class SilentSymbols {
     try {
       value = await this.actions.read(index);
     } catch (error) {
-      if (this.#symbols[index]!.isRefused) this.refuse(index);
-      this.#symbols[index]!.isLost = true;
-      this.actions.lose(index, error);
+      const symbol = this.#symbols[index]!;
+      symbol.isLost = true;
+      // Gives way to the other refused subscriptions.
+      if (symbol.isRefused) symbol.heardAt = this.now();
+      this.actions.lose(index, error, false);
       return false;
     }
     const symbol = this.#symbols[index]!;
@@ -114,10 +124,7 @@ export class SilentSymbols {
     symbol.missedSince = this.isOnChange && isSame ? null : (symbol.missedSince ?? began);
     if (symbol.isLost || isUnnotified(symbol.missedSince, began, this.delayMs)) {
       this.heard(index, value);
-      await this.actions.renew(index, value).catch(error => {
-        this.refuse(index);
-        this.actions.refused(index, error);
-      });
+      await this.actions.renew(index, value).catch(error => this.refuse(index, error));
       return false;
     }
     return this.isOnChange && isSame;
