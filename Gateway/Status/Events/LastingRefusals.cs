@@ -49,16 +49,20 @@ sealed class LastingRefusals(TimeProvider time)
         }
     }
 
-    /// <summary>Removes the refusals that an accepted message ends. Set-points mark the refusals of other set-points of the source.</summary>
+    /// <summary>
+    /// Removes the refusals that an accepted message ends: for a description those of all sources, because headsets no longer show the earlier one.
+    /// Set-points mark the refusals of other set-points of the source.
+    /// </summary>
     /// <param name="topic">Topic of the message, with the robot's namespace.</param>
-    /// <param name="joints">The joints of the set-points; empty for a description.</param>
+    /// <param name="joints">The joints of the set-points; null for a description.</param>
     public void Accept(HubSource source, string topic, string[] joints)
     {
         lock (_lock)
         {
             if (_refusals.Count == 0) return;
-            Remove(known => known.Source == source && known.Topic == topic && (known.Joint.Length == 0 || joints.Contains(known.Joint)));
-            if (joints.Length == 0) return;
+            Remove(known => known.Topic == topic
+                && (joints == null || (known.Source == source && (known.Joint.Length == 0 || joints.Contains(known.Joint)))));
+            if (joints == null) return;
             foreach (var (key, known) in _refusals)
                 if (key.Source == source && known.Refusal.Reason != DropReason.NotUrdf)
                     _refusals[key] = known with { FollowedAt = known.FollowedAt ?? time.GetTimestamp() };

@@ -27,7 +27,7 @@ sealed class RefusalConditions
     /// <summary>Ends the refusals about the joints of accepted set-points, or about the robot of an accepted description.</summary>
     /// <param name="message">A message on /joint_trajectory or /robot_description of any robot.</param>
     public void Accept(HubMessage message) =>
-        _messages.Accept(message.Source, message.Topic, (message.Content as JointTrajectoryMessage)?.Names ?? []);
+        _messages.Accept(message.Source, message.Topic, (message.Content as JointTrajectoryMessage)?.Names);
 
     public IEnumerable<Condition> Read() => _owned.Read().Select(OfOwned).Concat(_messages.Read().Select(OfMessage))
         .Concat(_names.Read().Select(OfName)).Concat(_rules.Read().Select(OfRule));

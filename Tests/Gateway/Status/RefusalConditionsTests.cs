@@ -170,6 +170,20 @@ public class RefusalConditionsTests
         Assert.That(_conditions.Read(), Is.Empty);
     }
 
+    // Headsets then show the robot with the description of the other source.
+    [Test]
+    public void Description_InvalidThenAnotherSourcePublishesAValidOne_IsNoCondition()
+    {
+        var client = Source("client");
+        Describe(Source("former"), "arm1", Valid).Dispose();
+        Describe(client, "arm1", "not xml");
+
+        Describe(Source("other"), "arm1", Valid);
+        Describe(client, "arm1", Valid);
+
+        Assert.That(_conditions.Read(), Is.Empty);
+    }
+
     [Test]
     public void Description_InvalidAndWithdrawn_IsNoCondition()
     {
