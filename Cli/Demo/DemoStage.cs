@@ -38,7 +38,7 @@ static class DemoStage
         var options = new GatewayOptions { SyncPort = 0, WebSocketPort = 0 };
         await using var gateway = await GatewayServer.StartAsync(options, control, cancellation: cancel);
         using var source = gateway.Hub.OpenSource();
-        source.TryDescribe(settings.RobotText);
+        source.Describe(settings.RobotText);
         using var cell = new SimulatedCell(settings.Motion, control, Timing(settings), settings.Seed, settings.PublishesPlan);
         cell.PublishInto(gateway.Hub);
         using var syncRelay = new DelayRelay(gateway.SyncEndPoint, settings.Network, settings.Seed * 1000 + 1);

@@ -82,23 +82,22 @@ public sealed class HubSource : IDisposable
         return refusal;
     }
 
+    /// <inheritdoc cref="Describe(string, out string, string)"/>
+    internal Refusal? Describe(string urdf, string robot = "") => Describe(urdf, out _, robot);
+
     /// <summary>
     /// Publishes the robot description and keeps it for later subscribers, unless another source has published one. In that case, the description is
     /// published when this source takes over joints of the robot from the other source.
     /// </summary>
-    /// <returns>
-    /// Whether the description was published. It is also refused if it is too long for a message, or if it is invalid and the robot has a valid one.
-    /// </returns>
-    public bool TryDescribe(string urdf) => Describe(urdf) == null;
-
-    /// <inheritdoc cref="Describe(string, out string, string)"/>
-    internal Refusal? Describe(string urdf, string robot = "") => Describe(urdf, out _, robot);
-
-    /// <inheritdoc cref="Publish(JointStateMessage, long?, string)"/>
     /// <param name="fault">
     /// The reason why the description is invalid; null for a valid one. An invalid description is published if the robot has no valid one, because
     /// headsets name its fault.
     /// </param>
+    /// <param name="robot">Namespace of the robot; empty if it has none.</param>
+    /// <returns>
+    /// A refusal if another source has published a description, if this one is too long for a message, or if it is invalid and the robot has a
+    /// valid one; otherwise null.
+    /// </returns>
     internal Refusal? Describe(string urdf, out string fault, string robot = "")
     {
         fault = null;

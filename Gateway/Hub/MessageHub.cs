@@ -172,14 +172,13 @@ public sealed class MessageHub
         // Under the lock, so that a new subscriber receives the message exactly once, either as the kept message or as a new one.
         lock (_lock)
         {
-            string[] robot = ["the robot"];
-            var keeps = !isValid && Links.Described.GetValueOrDefault(message.Robot)?.Model != null;
-            // A source does not become the owner with a description that is refused.
-            if (keeps && _owners.FindTaken(source, message.Topic, robot) == null)
-                return new Refusal(DropReason.NotUrdf, DropMessages.KeptDescription, Rule: described.Fault);
-            if (Claim(source, message.Robot, RosTopics.RobotDescription, robot, out _) is { } refusal) return refusal;
+            var (robot, kind) = (message.Robot, RosTopics.RobotDescription);
+            Refusal? invalid = isValid || Links.Described.GetValueOrDefault(robot)?.Model == null ? null
+                : new Refusal(DropReason.NotUrdf, DropMessages.KeptDescription, Rule: described.Fault);
+            var refusal = _owners.Claim(source, robot, kind, ["the robot"], () => invalid ?? Use(source, robot, kind), out _, out _);
+            if (refusal != null) return refusal;
             _robots.Describe(message);
-            Links.Describe(message.Robot, described);
+            Links.Describe(robot, described);
             Publish(message);
             return null;
         }
@@ -215,10 +214,9 @@ public sealed class MessageHub
         lock (_lock)
         {
             var refusal = _owners.Claim(source, robot, kind, names, () => Use(source, robot, kind), out claimed, out var taken);
-            // A description that was refused is published later, see HubSource.TryDescribe.
             foreach (var one in claimed.Length == 0 ? taken.Take(1) : taken)
                 if (kind == RosTopics.JointTrajectory) ReportRefused(source, RobotTopic.NameOf(robot, kind), one.What, one);
-                else if (kind == RosTopics.JointStates && one.Owner is { } owner)
+                else if (one.Owner is { } owner)
                     Refused?.Invoke(source, kind, RobotTopic.Qualified(robot, one.What), owner);
             return refusal;
         }

@@ -76,8 +76,7 @@ static class ServeVerb
             using var certificate = options.Certificate;
             await using var gateway = await GatewayServer.StartAsync(options, clock, Announcement.LogWithTime, stop);
             using var source = gateway.Hub.OpenSource();
-            if (description != null)
-                source.TryDescribe(description);
+            if (description != null) source.Describe(description);
             if (placed != null) StationaryFrames.Publish(frames, placed, source);
             if (server.Records(parsed)) gateway.Recorder.SwitchOn();
             Announcement.Write(gateway, clock, server.SkewPpm(parsed), name, null);

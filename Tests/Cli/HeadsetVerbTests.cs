@@ -291,7 +291,7 @@ public class HeadsetVerbTests
     static SimulatedCell Simulate(GatewayServer gateway)
     {
         var robot = RobotFiles.Load("youbot", out var urdf);
-        gateway.Hub.OpenSource().TryDescribe(urdf);
+        gateway.Hub.OpenSource().Describe(urdf);
         var timing = new CellTiming(TimeSpan.FromMilliseconds(50), TimeSpan.FromMilliseconds(20), TimeSpan.FromMilliseconds(40));
         var cell = new SimulatedCell(new CellMotion(new PickAndPlaceMotion(robot)), gateway.Clock, timing, 1);
         cell.PublishInto(gateway.Hub);

@@ -125,12 +125,12 @@ public class MessageHubTests
         using var first = _hub.OpenSource();
         using var second = _hub.OpenSource();
         first.Publish(Gateways.State(1, "a"));
-        first.TryDescribe("<robot/>");
+        first.Describe("<robot/>");
 
         first.Release(RosTopics.JointStates);
 
         Assert.That(second.Publish(Gateways.State(2, "a")), Is.Null);
-        Assert.That(second.TryDescribe("<other/>"), Is.False);
+        Assert.That(second.Describe("<other/>"), Is.Not.Null);
         Assert.That(first.Publish(Gateways.State(1, "a"))?.What, Is.EqualTo("a"));
     }
 
@@ -138,8 +138,8 @@ public class MessageHubTests
     public void Subscribe_AfterTheDescription_ReceivesTheNewestDescription()
     {
         using var source = _hub.OpenSource();
-        source.TryDescribe("<old/>");
-        source.TryDescribe("<new/>");
+        source.Describe("<old/>");
+        source.Describe("<new/>");
 
         var received = new List<HubMessage>();
         _hub.Subscribe(RosTopics.RobotDescription, received.Add);
@@ -184,11 +184,11 @@ public class MessageHubTests
     {
         using var source = _hub.OpenSource();
         _hub.Subscribe(RosTopics.RobotDescription, _ => { }).Dispose();
-        source.TryDescribe("<robot/>");
+        source.Describe("<robot/>");
         var received = new List<HubMessage>();
         _hub.Subscribe(RosTopics.RobotDescription, received.Add);
 
-        source.TryDescribe("<other/>");
+        source.Describe("<other/>");
 
         Assert.That(received.Select(message => ((StringMessage)message.Content).Data), Is.EqualTo(new[] { "<robot/>", "<other/>" }));
     }

@@ -163,7 +163,7 @@ public class RosapiTests
     {
         await using var gateway = await Gateways.StartAsync();
         using var source = gateway.Hub.OpenSource();
-        source.TryDescribe("robot of a test");
+        source.Describe("robot of a test");
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
 
         await client.SendAsync($$"""{"op":"call_service","id":"1","service":"/rosapi/{{service}}","args":{{args}}}""");

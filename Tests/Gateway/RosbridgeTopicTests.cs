@@ -90,7 +90,7 @@ public class RosbridgeTopicTests
     {
         await using var gateway = await Gateways.StartAsync();
         using var source = gateway.Hub.OpenSource();
-        source.TryDescribe("<robot name=\"r\"/>");
+        source.Describe("<robot name=\"r\"/>");
         using var client = await RawRosbridgeClient.ConnectAsync(gateway);
 
         await client.SendAsync(RosbridgeWriter.Subscribe(RosTopics.RobotDescription, "std_msgs/String"));

@@ -104,7 +104,7 @@ public class SimulatedCellTests
         await SampleOf(cell, new MessageHub());
         var hub = new MessageHub();
         using var description = hub.OpenSource();
-        description.TryDescribe(urdf);
+        description.Describe(urdf);
         using var tracked = hub.Subscribe(RosTopics.Tf, frames.Enqueue);
         using var signals = hub.Subscribe(RosTopics.Signals, frames.Enqueue);
         using var stationary = hub.Subscribe(RosTopics.TfStatic, frames.Enqueue);

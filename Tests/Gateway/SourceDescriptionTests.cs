@@ -95,8 +95,8 @@ public class SourceDescriptionTests
     {
         var first = _hub.OpenSource();
         using var second = _hub.OpenSource();
-        first.TryDescribe("<old/>");
-        second.TryDescribe("<new/>");
+        first.Describe("<old/>");
+        second.Describe("<new/>");
 
         second.Release(RosTopics.RobotDescription);
         first.Dispose();

@@ -29,7 +29,7 @@ public class GatewayDescriptionTests
     {
         await using var gateway = await Gateways.StartAsync();
         using var source = gateway.Hub.OpenSource();
-        source.TryDescribe(RobotFiles.LoadText("youbot"));
+        source.Describe(RobotFiles.LoadText("youbot"));
         using var session = Connect(gateway, displayed);
 
         await Soon.BecomesAsync(() => session.RobotDescription != null, "a description");
@@ -57,14 +57,14 @@ public class GatewayDescriptionTests
     {
         await using var gateway = await Gateways.StartAsync();
         using var source = gateway.Hub.OpenSource();
-        source.TryDescribe("<robot name='half'>");
+        source.Describe("<robot name='half'>");
         using var session = Connect(gateway, "youbot");
 
         await Soon.BecomesAsync(() => session.Drops[DropReason.NotUrdf] == 1, "the description is counted as dropped");
         await Soon.BecomesAsync(() => Tick(session, source).Samples > 0, "samples");
 
         Assert.That(session.RobotDescriptionMatch, Is.EqualTo(RobotDescriptionMatch.Unknown));
-        source.TryDescribe(RobotFiles.LoadText("youbot"));
+        source.Describe(RobotFiles.LoadText("youbot"));
         await Soon.BecomesAsync(() => session.RobotDescriptionMatch == RobotDescriptionMatch.Same, "the next description is used");
     }
 

@@ -175,7 +175,7 @@ public class RecorderDiskTests
         // A separate thread opens each file. Waits for the first file, so that the second one is not opened before it.
         await Soon.BecomesAsync(() => Volatile.Read(ref files) == 1, "the first file is opened");
         _cell.Publish(5, "a");
-        _cell.Source.TryDescribe(RobotFiles.LoadText("youbot"));
+        _cell.Source.Describe(RobotFiles.LoadText("youbot"));
         await Soon.BecomesAsync(() => recorder.Status.Problem != null, "the second file fails");
 
         recorder.SwitchOn();

@@ -37,7 +37,7 @@ public class RecorderFileTests
         var switching = Task.Run(recorder.SwitchOn);
         Assert.That(isBeginning.Wait(Soon.Limit), Is.True);
 
-        var describing = Task.Run(() => _cell.Source.TryDescribe(RobotFiles.LoadText("youbot")));
+        var describing = Task.Run(() => _cell.Source.Describe(RobotFiles.LoadText("youbot")));
 
         var first = await Task.WhenAny(describing, Task.Delay(Soon.Limit / 2));
         mayGoOn.Set();
@@ -51,11 +51,11 @@ public class RecorderFileTests
     [Test]
     public async Task Record_AnotherRobot_StartsAnotherFileWithoutLoss()
     {
-        _cell.Source.TryDescribe(RobotFiles.LoadText("youbot"));
+        _cell.Source.Describe(RobotFiles.LoadText("youbot"));
         await using var recorder = _cell.Open();
         recorder.SwitchOn();
         _cell.Publish(50, "a");
-        _cell.Source.TryDescribe(RobotFiles.LoadText("ur5"));
+        _cell.Source.Describe(RobotFiles.LoadText("ur5"));
         await Soon.BecomesAsync(() => _cell.Files().Length == 2, "the second file");
         _cell.Publish(50, "a");
         await recorder.SwitchOffAsync().Bounded();
@@ -71,7 +71,7 @@ public class RecorderFileTests
     [Test]
     public async Task Record_RobotsInNamespaces_AreDescribedInTheHeader()
     {
-        _cell.Source.TryDescribe(RobotFiles.LoadText("youbot"));
+        _cell.Source.Describe(RobotFiles.LoadText("youbot"));
         _cell.Source.Describe(RobotFiles.LoadText("ur5"), "arm1");
         await using var recorder = _cell.Open();
         recorder.SwitchOn();
@@ -130,7 +130,7 @@ public class RecorderFileTests
         foreach (var robot in new[] { "youbot", "ur5" })
         {
             var former = recorder.Path;
-            _cell.Source.TryDescribe(RobotFiles.LoadText(robot));
+            _cell.Source.Describe(RobotFiles.LoadText(robot));
             await Soon.BecomesAsync(() => recorder.Path != former, "the next file");
         }
 

@@ -22,7 +22,7 @@ public class RecorderTests
     [Test]
     public async Task Record_DescribedRobot_CanBeReplayedAndAnalysed()
     {
-        _cell.Source.TryDescribe(RobotFiles.LoadText("youbot"));
+        _cell.Source.Describe(RobotFiles.LoadText("youbot"));
         await using var recorder = _cell.Open();
         recorder.SwitchOn();
         _cell.Publish(400, "arm_joint_1", "arm_joint_2");

@@ -39,11 +39,11 @@ public class LimitAlarmTests
     [Test]
     public async Task Joints_OnePositionInDegrees_IsLoggedOnceAndCounted()
     {
-        _source.TryDescribe(RobotFiles.LoadText("ur5"));
+        _source.Describe(RobotFiles.LoadText("ur5"));
 
         await Found(90);
         for (var i = 0; i < 200; i++) Send(90);
-        _source.TryDescribe(RobotFiles.LoadText("ur5"));
+        _source.Describe(RobotFiles.LoadText("ur5"));
         for (var i = 0; i < 200; i++) Send(90);
 
         Assert.That(_alarm.Joints, Is.EqualTo(new[] { "elbow_joint" }));
@@ -54,7 +54,7 @@ public class LimitAlarmTests
     [Test]
     public async Task Joints_RobotsWithNamespaces_AreCheckedAgainstTheirOwnLimits()
     {
-        _source.TryDescribe(RobotFiles.LoadText("ur5"));
+        _source.Describe(RobotFiles.LoadText("ur5"));
         _source.Describe(RobotFiles.LoadText("ur5").Replace("6.283185307179586", "12.6", StringComparison.Ordinal), "arm1");
         _source.Describe(RobotFiles.LoadText("ur5"), "arm2");
 
@@ -98,10 +98,10 @@ public class LimitAlarmTests
     public async Task Joints_NewDescription_AreCheckedAgainstItsLimits()
     {
         var urdf = RobotFiles.LoadText("ur5");
-        _source.TryDescribe(urdf);
+        _source.Describe(urdf);
         await Found(7);
 
-        _source.TryDescribe(urdf.Replace("6.283185307179586", "12.6", StringComparison.Ordinal));
+        _source.Describe(urdf.Replace("6.283185307179586", "12.6", StringComparison.Ordinal));
 
         await Soon.BecomesAsync(
             () =>
@@ -130,7 +130,7 @@ public class LimitAlarmTests
     public void Joints_NoValidDescription_AreNotChecked()
     {
         for (var i = 0; i < 10; i++) Send(90);
-        _source.TryDescribe("no robot");
+        _source.Describe("no robot");
         for (var i = 0; i < 10; i++) Send(90);
 
         Assert.That(_alarm.Joints, Is.Empty);

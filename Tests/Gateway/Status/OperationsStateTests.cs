@@ -25,7 +25,7 @@ public class OperationsStateTests
     {
         await using var gateway = await Gateways.StartAsync();
         using var source = gateway.Hub.OpenSource();
-        source.TryDescribe(RobotFiles.LoadText("ur5"));
+        source.Describe(RobotFiles.LoadText("ur5"));
         var isNamed = false;
 
         for (var tries = 0; !isNamed && tries < 400; tries++)
@@ -52,7 +52,7 @@ public class OperationsStateTests
         Assert.That(await LevelAsync(), Is.EqualTo("ok"));
 
         using var robot = gateway.Hub.OpenSource();
-        robot.TryDescribe(RobotFiles.LoadText("ur5"));
+        robot.Describe(RobotFiles.LoadText("ur5"));
         await Soon.BecomesAsync(() => LevelAsync().Result == "warning", "its joints are missing");
     }
 

@@ -39,7 +39,7 @@ public class SessionConnectionTests
             new CellTiming(TimeSpan.FromMilliseconds(50), TimeSpan.FromMilliseconds(10), TimeSpan.FromMilliseconds(20)), seed: 1);
         await using var gateway = await GatewayServer.StartAsync(new GatewayOptions { SyncPort = 0, WebSocketPort = 0 }, control);
         using var robot = gateway.Hub.OpenSource();
-        Assert.That(robot.TryDescribe(RobotFiles.LoadText("ur5")), Is.True);
+        Assert.That(robot.Describe(RobotFiles.LoadText("ur5")), Is.Null);
         plant.PublishInto(gateway.Hub);
         var session = _cell.NewSession(robot: null, To(gateway.SyncEndPoint.Port, gateway.WebSocketEndPoint.Port)).With("_connectOnEnable", true);
         session.HeadsetClock = new StopwatchHeadsetClock();

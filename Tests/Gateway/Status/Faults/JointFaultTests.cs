@@ -207,7 +207,7 @@ public class JointFaultTests
     {
         await _gateway.StartAsync();
         using var description = _gateway.Server.Hub.OpenSource();
-        description.TryDescribe(RobotFiles.LoadText("youbot"));
+        description.Describe(RobotFiles.LoadText("youbot"));
 
         await Soon.BecomesAsync(
             () =>
@@ -251,7 +251,7 @@ public class JointFaultTests
     public async Task Joint_OfTheRobotWithoutASource_IsReportedEverywhere()
     {
         await _gateway.StartAsync();
-        _gateway.Source.TryDescribe(RobotFiles.LoadText("youbot"));
+        _gateway.Source.Describe(RobotFiles.LoadText("youbot"));
         string[] all = [.. UnpublishedJoints.NamesOf(RobotFiles.Load("youbot"))];
         _gateway.Publish(all[1..]);
         await Soon.BecomesAsync(() => IsDescribed(all), "the description is read");
