@@ -87,6 +87,19 @@ public sealed class ConsentPromptTests
     }
 
     [Test]
+    public void Prompt_Question_IsInFrontOfTheHeadInItsFirstFrame()
+    {
+        _content.AddComponent<BodyFollow>();
+        var head = new GameObject("Camera") { tag = "MainCamera" }.AddComponent<Camera>().transform;
+        head.position = new Vector3(3, 1.6f, 2);
+        _codes.Texts.Add(new CellCode("desk", "127.0.0.1", null, MarkerOffset.Parse("0.5,0,0", ""), 0.1, 1, 1).Text);
+
+        while (!_content.activeSelf) Run(1);
+
+        Assert.That(Vector3.Distance(_content.transform.position, head.position), Is.EqualTo(1.3f).Within(1e-4));
+    }
+
+    [Test]
     public void Accept_Pressed_AcceptsAndHides()
     {
         LookAtTheMarker();

@@ -80,6 +80,22 @@ public class BodyFollowTests
     }
 
     [Test]
+    public void OnEnable_DisabledBeforeTheFirstFrame_KeepsItsPlace()
+    {
+        AddCamera();
+        var panel = new GameObject("Panel");
+        panel.SetActive(false);
+        panel.transform.position = new Vector3(4, 1, 0);
+        var follow = panel.AddComponent<BodyFollow>();
+
+        panel.SetActive(true);
+        follow.enabled = false;
+        _cell.Frame(null);
+
+        Assert.That(panel.transform.position, Is.EqualTo(new Vector3(4, 1, 0)));
+    }
+
+    [Test]
     public void OnEnable_EnabledAgain_IsInFrontOfTheHeadImmediately()
     {
         AddCamera();

@@ -95,7 +95,7 @@ static class HoloLensPrefabs
         var root = new GameObject("Consent Prompt");
         var prompt = root.AddComponent<ConsentPrompt>();
         var content = Children.Add("Content", root.transform);
-        // On the content, so that each question appears at its distance, wherever the user has gone since the last one.
+        // On the content, so that a prompt that opens appears at its distance, wherever the user has gone since the last question.
         var follow = content.AddComponent<BodyFollow>();
         Fields.Set(follow, "_distanceMetres", 0.45f);
         Fields.Set(follow, "_moveMetres", 0.2f);

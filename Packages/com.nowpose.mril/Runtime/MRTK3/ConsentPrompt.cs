@@ -71,7 +71,8 @@ namespace Nowpose.Mrtk3
             Show(null);
         }
 
-        void LateUpdate()
+        // Not in LateUpdate, so that Body Follow places the content in the same frame.
+        void Update()
         {
             var question = _pairing != null ? _pairing.Question : null;
             if (question != _shown) Show(question);

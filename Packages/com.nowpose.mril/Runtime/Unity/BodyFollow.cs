@@ -42,14 +42,7 @@ namespace Nowpose.Unity
 
         internal bool IsGliding => _following.IsGliding;
 
-        // Places an object that has just been switched on before it is drawn. The next frame places it again, because the head has no pose yet at the
-        // start of the app.
-        void OnEnable()
-        {
-            _following = default;
-            LateUpdate();
-            _following = default;
-        }
+        void OnEnable() => _following = default;
 
         void LateUpdate()
         {
