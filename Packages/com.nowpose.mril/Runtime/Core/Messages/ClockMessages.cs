@@ -1,5 +1,3 @@
-using System;
-
 namespace Nowpose.Messages
 {
     /// <summary>Error messages about clocks and times.</summary>
@@ -9,8 +7,5 @@ namespace Nowpose.Messages
         public const string SecondsOutOfRange = "seconds must be finite and within ±9.2e11 s";
 
         public static string UnknownEstimator(string name, string allowed) => $"clock estimator '{name}' is unknown; allowed: {allowed}";
-
-        public static string InlierBound(double ms) =>
-            FormattableString.Invariant($"inlier bound: {ms} ms is out of range; allowed: above 0 and up to 1000 ms");
     }
 }

@@ -1,5 +1,4 @@
 using System;
-using Nowpose.Messages;
 
 namespace Nowpose.Sync
 {
@@ -10,7 +9,7 @@ namespace Nowpose.Sync
 
         /// <param name="history">Number of exchanges kept.</param>
         /// <param name="hypotheses">Number of lines tried at each exchange.</param>
-        /// <param name="inlierBoundMs">Maximum distance of an inlier from the line, ms.</param>
+        /// <param name="inlierBoundMs">Maximum distance of an inlier from the line, ms, 0.01 to 1000.</param>
         /// <param name="movingAverage">Number of fitted lines in the average.</param>
         /// <param name="seed">Seed of the random choice of hypotheses, so that the same log gives the same result.</param>
         public RansacSettings(int history = 100, int hypotheses = 20, double inlierBoundMs = 1, int movingAverage = 20, int seed = 1)
@@ -18,9 +17,7 @@ namespace Nowpose.Sync
             History = SettingRange.RequireCount(history, 3, 10_000, nameof(history));
             Hypotheses = SettingRange.RequireCount(hypotheses, 1, 10_000, nameof(hypotheses));
             MovingAverage = SettingRange.RequireCount(movingAverage, 1, 10_000, nameof(movingAverage));
-            if (!(inlierBoundMs > 0 && inlierBoundMs <= 1000))
-                throw new InputException(ClockMessages.InlierBound(inlierBoundMs));
-            InlierBound = TimeSpan.FromTicks((long)(inlierBoundMs * TimeSpan.TicksPerMillisecond));
+            InlierBound = SettingRange.RequireMs(inlierBoundMs, 0.01, 1000, "inlier bound");
             Seed = seed;
         }
 

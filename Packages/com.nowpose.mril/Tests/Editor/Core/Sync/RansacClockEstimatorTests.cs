@@ -116,6 +116,7 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase(2, 20, 1.0, 20, "history: 2")]
         [TestCase(100, 0, 1.0, 20, "hypotheses: 0")]
         [TestCase(100, 20, 0.0, 20, "inlier bound: 0 ms")]
+        [TestCase(100, 20, 0.00005, 20, "inlier bound: 5E-05 ms")]
         [TestCase(100, 20, double.NaN, 20, "inlier bound: NaN ms")]
         public void Settings_OutOfRange_NameTheValue(int history, int hypotheses, double boundMs, int average, string named)
         {
