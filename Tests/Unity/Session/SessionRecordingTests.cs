@@ -216,6 +216,7 @@ public sealed class SessionRecordingTests
         Assert.That(_recording.Problem, Is.EqualTo(RecordingMessages.MaxSize(_recording.Path, "0.02")));
         Assert.That(_cell.Messages, Has.Exactly(1).EndsWith(_recording.Problem));
         Assert.That(Files, Has.Length.EqualTo(1), "no second file is created");
+        Assert.That(_session.Session.Intake.HasSampleHandler, Is.False, "messages are reused");
         Assert.That(_session.Frame.State, Is.EqualTo(Nowpose.Session.PoseState.Current));
     }
 

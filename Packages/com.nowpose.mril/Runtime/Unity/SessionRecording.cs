@@ -35,7 +35,7 @@ namespace Nowpose.Unity
 
         MrilSession _source;
         CompensationSession _recorded;
-        bool _isWanted, _isSettled;
+        bool _isWanted;
 
         /// <summary>Whether a file is being written; false while the session is paused or its robot is unknown.</summary>
         public bool IsRecording => Recorder != null && Recorder.State == RecordingState.Recording;
@@ -116,9 +116,10 @@ namespace Nowpose.Unity
 
         void Report()
         {
-            if (Recorder == null || _isSettled || Recorder.State == RecordingState.Recording) return;
-            _isSettled = true;
+            if (Recorder == null || IsRecording) return;
             Fail(Recorder.Problem);
+            Recorder.Dispose();
+            Recorder = null;
         }
 
         void Fail(string problem)
@@ -132,7 +133,6 @@ namespace Nowpose.Unity
             Recorder?.Dispose();
             Recorder = null;
             _recorded = null;
-            _isSettled = false;
         }
     }
 }

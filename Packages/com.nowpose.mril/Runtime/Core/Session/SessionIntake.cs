@@ -122,8 +122,8 @@ namespace Nowpose.Session
             while (clock.IsKnown && _plans.TryDequeue(out var plan)) Take(plan, clock);
         }
 
-        // A handler may keep a message, so a message that was passed to one is not reused.
-        bool HasSampleHandler => SampleTaken != null || SampleJudged != null;
+        /// <summary>Whether messages are passed to a handler. A handler may keep a message, so such a message is not reused.</summary>
+        public bool HasSampleHandler => SampleTaken != null || SampleJudged != null;
 
         void Take(in Arrival<JointStateMessage> arrival, in ClockModel clock)
         {
