@@ -58,9 +58,10 @@ namespace Nowpose.Frames
         /// <summary>Ends the hand-over. No pose waits any longer.</summary>
         public void End() => Count = 0;
 
-        /// <summary>Discards waiting poses whose times are no longer valid.</summary>
+        /// <summary>Discards poses whose times are no longer valid.</summary>
         public void Reset()
         {
+            EndRefusals();
             // A stationary pose has no time, and is sent only once.
             if (!IsStationary) Count = 0;
         }

@@ -12,6 +12,17 @@ namespace Nowpose.Tests.Core.Frames
     public class HandOverTests
     {
         [Test]
+        public void Reset_PoseRefusedBefore_DoesNotCountAfterwards()
+        {
+            var handOver = new HandOver();
+            handOver.Refuse(Pose(0, "stop", "part"));
+
+            handOver.Reset();
+
+            Assert.That(handOver.IsOvertaken(Pose(1, "stop", "part"), "world", At(10)), Is.True);
+        }
+
+        [Test]
         public void HandOver_FromAConveyorToAGripper_IsContinuousAndThenExact()
         {
             const double frameSeconds = 1 / 60.0, speed = 0.3, taken = 1.0;
