@@ -161,7 +161,7 @@ namespace Nowpose.Unity
         // After a step of the control clock, the time of the change is unknown, so the part jumps to the end of its move.
         void Take(SignalTrack signal)
         {
-            if (!signal.Since.HasValue) _stroke.Forget(null);
+            if (!signal.Since.HasValue) _stroke.Forget();
             _stroke.Change(signal.Value, signal.Since ?? default);
             _follower.Problem = ActuatedStroke.Includes(signal.Value) ? null : ObjectMessages.ValueOutsideStroke(signal.Value);
         }

@@ -55,13 +55,8 @@ namespace Nowpose.Signals
         /// <summary>Returns the position at a display time.</summary>
         public double At(ControlTime at) => _start.HasValue ? _from + _move.PositionAt(ClockTicks.Seconds(at - _start.Value)) : _from;
 
-        /// <summary>Discards the value, because its time is no longer valid. The position is kept.</summary>
-        public void Forget(ControlTime? at)
-        {
-            if (at.HasValue) _from = At(at.Value);
-            _move = default;
-            _start = null;
-        }
+        /// <summary>Discards the time of the value, because it is no longer valid. The next value sets the position without a move.</summary>
+        public void Forget() => _start = null;
 
         static int? EndOf(double value) => value <= Tolerance ? 0 : value >= 1 - Tolerance ? 1 : (int?)null;
 
