@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 using Nowpose.Motion;
 using Nowpose.Session;
 using Nowpose.Simulation.Work;
@@ -26,6 +27,7 @@ namespace Nowpose.Simulation
         readonly VirtualExchanges _exchanges;
         readonly VirtualPlans _plans;
         readonly VirtualWork _work;
+        VirtualCellSettings _settings;
 
         /// <param name="clock">The control clock.</param>
         /// <param name="seed">Seed of all delays and losses.</param>
@@ -67,7 +69,12 @@ namespace Nowpose.Simulation
             int robots = 1) =>
             new VirtualCell(new CellMotion(new CellWork(robot, motion, robots)), clock, settings, seed, start);
 
-        public VirtualCellSettings Settings { get; set; }
+        /// <exception cref="InputException">The settings are <c>default</c>.</exception>
+        public VirtualCellSettings Settings
+        {
+            get => _settings;
+            set => _settings = value.Network != null ? value : throw new InputException(SettingMessages.DefaultCellSettings);
+        }
 
         /// <summary>Delay of the robots behind their set-points; null if they publish none. A change takes effect within 0.25 s.</summary>
         public TimeSpan? PlanLag { get; set; }
@@ -81,7 +88,7 @@ namespace Nowpose.Simulation
             _exchanges.Run(from, now, Settings, session);
             _samples.Run(from, now, Settings, session);
             _work?.Run(from, now, Settings, session);
-            if (PlanLag.HasValue) _plans.Run(from, now, PlanLag.Value, Settings, session);
+            _plans.Run(from, now, PlanLag, Settings, session);
         }
 
         /// <summary>Computes the true position of a robot. Allocates nothing, except when a cell with workpieces changes.</summary>

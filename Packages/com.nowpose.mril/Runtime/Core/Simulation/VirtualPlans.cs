@@ -29,11 +29,12 @@ namespace Nowpose.Simulation
             _path = new VirtualPath(network => network.Down(seed), seed + 1);
         }
 
-        /// <param name="lag">Delay of the robot behind its set-points.</param>
-        public void Run(HeadsetTime from, HeadsetTime now, TimeSpan lag, in VirtualCellSettings settings, CompensationSession session)
+        /// <param name="lag">Delay of the robot behind its set-points; null to send none.</param>
+        public void Run(HeadsetTime from, HeadsetTime now, TimeSpan? lag, in VirtualCellSettings settings, CompensationSession session)
         {
             if (_next < from) _next = from;
-            for (; _next <= now; _next += SetPointsAhead.Interval) Send(_next, lag, settings);
+            for (; _next <= now; _next += SetPointsAhead.Interval)
+                if (lag.HasValue) Send(_next, lag.Value, settings);
             while (_underway.Count > 0 && _underway.Peek().At <= now)
             {
                 var (messages, at) = _underway.Dequeue();

@@ -28,6 +28,30 @@ namespace Nowpose.Tests.Core.Simulation
             Assert.That(1 - Rms(run.Errors) / Rms(run.HoldErrors), Is.GreaterThan(0.7), "seed " + seed);
         }
 
+        [Test]
+        public void PlanLag_SetToNull_DeliversTheMessagesInTransit()
+        {
+            var run = new VirtualCellRun(VirtualCellRun.Settings());
+            run.Cell.PlanLag = TimeSpan.Zero;
+            var plans = 0;
+            run.Session.Intake.PlanJudged += (arrival, reason) => plans++;
+            run.Run(5 + 2 / 60.0);
+            var before = plans;
+
+            run.Cell.PlanLag = null;
+            run.Run(1);
+
+            Assert.That(plans - before, Is.EqualTo(1), "the message that was sent in the last 55 ms");
+        }
+
+        [Test]
+        public void Settings_Default_AreRefused()
+        {
+            var cell = new VirtualCellRun(VirtualCellRun.Settings()).Cell;
+
+            Assert.Throws<InputException>(() => cell.Settings = default);
+        }
+
         // A cycle of the cell takes about eleven seconds. Scoring starts after three seconds, as in the demo.
         [Category("Study")]
         [Test]
