@@ -31,7 +31,9 @@ namespace Nowpose
 
     static class ClockStateWord
     {
-        /// <summary>Returns the name of a state in the protocol, on pages, in logs and on command lines.</summary>
-        public static string Word(this ClockState state) => state.ToString().ToLowerInvariant();
+        static readonly EnumNames<ClockState> Names = new EnumNames<ClockState>(state => (int)state);
+
+        /// <summary>Returns the name of a state in the protocol, in files, on pages, in logs and on command lines.</summary>
+        public static string Word(this ClockState state) => Names.NameOf(state);
     }
 }

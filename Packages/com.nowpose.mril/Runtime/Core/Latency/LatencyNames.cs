@@ -11,6 +11,7 @@ namespace Nowpose.Latency
         public static readonly EnumNames<RenderTimeSourceKind> RenderTimeSource = new EnumNames<RenderTimeSourceKind>(source => (int)source, "");
 
         public static readonly EnumNames<CalibrationMethod> CalibrationMethod = new EnumNames<CalibrationMethod>(method => (int)method, "vlc");
+        public static readonly EnumNames<RangeState> Range = new EnumNames<RangeState>(range => (int)range);
         public static readonly EnumNames<DepthSubmission> DepthSubmission = new EnumNames<DepthSubmission>(depth => (int)depth);
     }
 }

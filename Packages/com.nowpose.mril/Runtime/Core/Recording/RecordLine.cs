@@ -12,8 +12,6 @@ namespace Nowpose.Recording
     {
         static readonly EnumNames<SyncVerdict> Verdicts = new EnumNames<SyncVerdict>(verdict => (int)verdict);
         static readonly EnumNames<PoseState> Poses = new EnumNames<PoseState>(pose => (int)pose);
-        static readonly EnumNames<RangeState> Ranges = new EnumNames<RangeState>(range => (int)range);
-        static readonly EnumNames<ClockState> ClockStates = new EnumNames<ClockState>(state => (int)state);
 
         /// <summary>Number of coordinates in a position.</summary>
         const int PositionNumbers = 3;
@@ -131,7 +129,7 @@ namespace Nowpose.Recording
         void WriteDisplay(SessionRecord record)
         {
             _line.Begin("display").Add("at_ns", record.At.Nanoseconds)
-                .Add("l_visu_ns", Nanoseconds(record.Length.GetValueOrDefault())).Add("range", Ranges.NameOf(record.Range));
+                .Add("l_visu_ns", Nanoseconds(record.Length.GetValueOrDefault())).Add("range", LatencyNames.Range.NameOf(record.Range));
             if (record.Reprojection != ReprojectionMode.Unknown) _line.Add("reprojection", LatencyNames.Reprojection.NameOf(record.Reprojection));
         }
 
@@ -181,7 +179,7 @@ namespace Nowpose.Recording
         void AddClock(SessionRecord record)
         {
             var clock = record.Clock;
-            _line.Add("state", ClockStates.NameOf(clock.State)).Add("steps", clock.Steps);
+            _line.Add("state", clock.State.Word()).Add("steps", clock.Steps);
             if (!clock.IsKnown) return;
             _line.Add("offset_ns", Nanoseconds(clock.OffsetAt(record.At).HeadsetMinusControl)).Add("skew_ppm", clock.Skew * 1e6)
                 .Add("error_bound_ns", Nanoseconds(clock.ErrorBound)).Add("estimated_error_ns", Nanoseconds(clock.EstimatedError));

@@ -60,7 +60,7 @@ namespace Nowpose.Session
                 Add(HeadsetKeys.ProfileMismatch, string.Join(",", statistics.ProfileMismatches.Select(each => each.Field)));
             AddMs(HeadsetKeys.HorizonMs, statistics.FramesMissingFor == null ? statistics.Horizon : null);
             AddMs(HeadsetKeys.RenderMs, statistics.RenderTime);
-            if (statistics.Range != RangeState.Unknown) Add(HeadsetKeys.Range, statistics.Range.ToString().ToLowerInvariant());
+            if (statistics.Range != RangeState.Unknown) Add(HeadsetKeys.Range, LatencyNames.Range.NameOf(statistics.Range));
             if (BeyondLimits(statistics) is { Length: > 0 } beyond) Add(HeadsetKeys.BeyondLimits, beyond);
             if (OtherDescriptions(statistics) is { Length: > 0 } described) Add(HeadsetKeys.DescriptionDiffers, described);
             if (WithheldErrors.WordsOf(statistics.ErrorWithheld) is { } withheld) Add(HeadsetKeys.ErrorWithheld, withheld);
