@@ -9,7 +9,6 @@ namespace Nowpose.Protocol
         /// <param name="now">The receiver's estimate of the control time at which the message arrived.</param>
         /// <param name="clockErrorBound">Error bound of <paramref name="now"/>.</param>
         public static bool IsInFuture(ControlTime stamp, ControlTime now, TimeSpan clockErrorBound) =>
-            // Uses decimal, because the difference between a stamp from the wire and the time of a clock with another epoch may overflow a TimeSpan.
-            (decimal)stamp.SinceEpoch.Ticks - now.SinceEpoch.Ticks > (decimal)clockErrorBound.Ticks + ProtocolLimits.FutureAllowance.Ticks;
+            stamp - now > clockErrorBound + ProtocolLimits.FutureAllowance;
     }
 }
