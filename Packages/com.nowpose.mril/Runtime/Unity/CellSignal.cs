@@ -169,7 +169,7 @@ namespace Nowpose.Unity
         void Take(SignalTrack signal)
         {
             var value = signal.Value;
-            var isOn = value >= 0.5;
+            var isOn = SignalTrack.IsOn(value);
             if (isOn != _isOn)
             {
                 _isOn = isOn;

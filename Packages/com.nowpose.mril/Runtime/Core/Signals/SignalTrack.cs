@@ -36,9 +36,9 @@ namespace Nowpose.Signals
         public event Action<SignalTrack> Restarted;
 
         /// <summary>
-        /// Raised when the first value after an interruption or after dropped changes becomes visible, before it is reported as a change. The signal
-        /// may have changed in the meantime, also if the value is the same as before. Not raised if the value has the stamp <see cref="Newest"/>,
-        /// which shows that nothing has changed.
+        /// Raised when the first value after an interruption, or after dropped changes from or to <see cref="IsOn"/>, becomes visible, before it is
+        /// reported as a change. The signal may have changed in the meantime, also if the value is the same as before. Not raised if the value has
+        /// the stamp <see cref="Newest"/>, which shows that nothing has changed.
         /// </summary>
         public event Action<SignalTrack> Resumed;
 
@@ -56,6 +56,9 @@ namespace Nowpose.Signals
         /// next change.
         /// </summary>
         public ControlTime? Since => _isVisible && _changes[0].Stamp > Always ? _changes[0].Stamp : (ControlTime?)null;
+
+        /// <summary>Returns whether a value counts as true, or as a closed gripper.</summary>
+        public static bool IsOn(double value) => value >= 0.5;
 
         /// <summary>Stamp of the newest message, with or without a change; null before the first.</summary>
         public ControlTime? Newest { get; private set; }
@@ -235,7 +238,10 @@ namespace Nowpose.Signals
             {
                 var oldest = _isVisible ? 1 : 0;
                 var isOldest = place <= oldest;
-                _changes[isOldest ? oldest : oldest + 1].Resume();
+                var dropped = isOldest ? change : _changes[oldest];
+                ref var next = ref _changes[isOldest ? oldest : oldest + 1];
+                // A measured value that stays on one side has not switched unnoticed.
+                if (dropped.IsResumed || IsOn(dropped.Value) != IsOn(Value) || IsOn(dropped.Value) != IsOn(next.Value)) next.Resume();
                 Overflowed?.Invoke(this);
                 if (isOldest) return place;
                 Remove(oldest);

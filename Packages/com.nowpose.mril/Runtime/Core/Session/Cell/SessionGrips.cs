@@ -96,6 +96,6 @@ namespace Nowpose.Session.Cell
 
         static void Change(ReachGrip grip, SignalTrack signal) => grip.Change(IsClosed(signal), signal.Since);
 
-        static bool IsClosed(SignalTrack signal) => signal.Value >= 0.5;
+        static bool IsClosed(SignalTrack signal) => SignalTrack.IsOn(signal.Value);
     }
 }

@@ -102,6 +102,20 @@ namespace Nowpose.Tests.Core.Signals
             Assert.That(resumed, Has.Count.EqualTo(1));
         }
 
+        // A measured width changes with each message. Only a change to the other side of 0.5 opens or closes the gripper.
+        [TestCase(0.9, -1, false)]
+        [TestCase(0.9, 5, true)]
+        [TestCase(0.4, 99, true)]
+        public void Next_ValuesAreDroppedBecauseTooManyWait_IsResumedIfTheGripperMayHaveSwitched(double next, int switched, bool isResumed)
+        {
+            var (signal, resumed) = NewSignal();
+
+            for (var k = 0; k < 100; k++) signal.Add(At(11 + 0.001 * k), k == switched ? 0.3 : next + 0.001 * (k % 7));
+            while (signal.Next(At(12))) { }
+
+            Assert.That(resumed, Has.Count.EqualTo(isResumed ? 1 : 0));
+        }
+
         // The late change is older than all changes that wait, so it is the one that newer changes replace.
         [Test]
         public void Add_LateChangeToAFullList_DropsTheLateChange()
@@ -109,7 +123,7 @@ namespace Nowpose.Tests.Core.Signals
             var (signal, resumed) = NewSignal();
             for (var k = 0; k < 63; k++) signal.Add(At(11 + 0.01 * k), k + 2);
 
-            signal.Add(At(10.9), 100);
+            signal.Add(At(10.9), 0);
             while (signal.Next(At(11.005))) { }
 
             Assert.That((signal.Value, signal.Since), Is.EqualTo((2.0, (ControlTime?)At(11))));
