@@ -44,7 +44,7 @@ namespace Nowpose.Session
             else _tracks.Hold();
             _tracks.Kinds.CopyTo(_kinds);
             var state = StateAt(moment, isJointReportedMissing);
-            Frame.Set(moment, moment.DisplayTime - _tracks.Newest, state);
+            Frame.Set(moment, moment.DisplayTime - _tracks.NewestOf(_toolJoints), state);
             // Holds the joints only after the state is determined, because a pose that is held on purpose must not count as stale.
             if (IsHeldOnPurpose) _tracks.Hold();
             _kinematics.Compute(_tracks.Positions, _linkPoses);

@@ -67,9 +67,6 @@ namespace Nowpose.Session
         /// </summary>
         public ReadOnlySpan<PredictionKind> Kinds => _kinds;
 
-        /// <summary>Control time of the newest sample of any joint at the last <see cref="Predict"/>; null while there is none.</summary>
-        public ControlTime? Newest { get; private set; }
-
         /// <summary>Returns whether a joint has received a sample since the last <see cref="Reset"/>.</summary>
         public bool HasSample(int joint) => !double.IsNegativeInfinity(_joints[joint].NewestTime);
 
@@ -79,6 +76,15 @@ namespace Nowpose.Session
         /// <summary>Returns the control time of a joint's newest sample; null while there is none.</summary>
         public ControlTime? NewestOf(int joint) =>
             HasSample(joint) ? _epoch + ClockTicks.Span(_joints[joint].NewestTime) : (ControlTime?)null;
+
+        /// <summary>Returns the control time of the newest sample of any of the joints; null while there is none.</summary>
+        public ControlTime? NewestOf(int[] joints)
+        {
+            ControlTime? newest = null;
+            foreach (var joint in joints)
+                if (NewestOf(joint) is ControlTime time && !(time <= newest)) newest = time;
+            return newest;
+        }
 
         /// <summary>
         /// Raised within <see cref="Add"/> with the index of a joint whose earlier samples were removed, because the clock of the samples went back or the newest
@@ -155,14 +161,11 @@ namespace Nowpose.Session
             var time = ClockTicks.Seconds(at - _epoch);
             // Before the first sample, the epoch is unknown.
             if (_hasEpoch && isDisplayed) _displayed = time;
-            var newest = double.NegativeInfinity;
             for (var i = 0; i < _joints.Length; i++)
             {
                 var prediction = _joints[i].At(time);
                 Show(i, prediction.Kind, prediction.Position);
-                newest = Math.Max(newest, _joints[i].NewestTime);
             }
-            Newest = double.IsNegativeInfinity(newest) ? (ControlTime?)null : _epoch + ClockTicks.Span(newest);
             CompleteMimics();
         }
 

@@ -58,6 +58,9 @@ namespace Nowpose.Tests.Core.Session
         /// <summary>Whether the test sends the samples instead of the simulation.</summary>
         public bool IsSamplingByTest { get; set; }
 
+        /// <summary>Error of the clock that stamps the samples, s; positive if it is ahead of the control clock.</summary>
+        public double StampErrorSeconds { get; set; }
+
         /// <summary>Name of the joint that samples do not contain; null if samples contain all joints.</summary>
         public string SilentJoint { get; set; }
 
@@ -106,7 +109,7 @@ namespace Nowpose.Tests.Core.Session
             _nextSample += IsEachJointApart ? SampleSeconds / 2 : SampleSeconds;
             if (!IsGatewayUp || IsSamplingByTest) return;
             var (shoulder, elbow) = TruthAt(now.SinceEpoch.TotalSeconds);
-            var stamp = Link.TrueOffset(now).ToControl(now);
+            var stamp = Link.TrueOffset(now).ToControl(now) + Lengths.Seconds(StampErrorSeconds);
             var message = new JointStateMessage(stamp, new[] { "elbow", "shoulder" }, new[] { elbow, shoulder });
             _isElbowNext = !_isElbowNext;
             if (IsEachJointApart && _isElbowNext) message = new JointStateMessage(stamp, new[] { "elbow" }, new[] { elbow });
