@@ -48,7 +48,8 @@ namespace Nowpose.Messages
         public static string ProblemOf(SessionStatistics statistics)
         {
             if (statistics == null) return null;
-            return statistics.BeyondLimits?.Words ?? (statistics.IsDisplayTimeImplausible ? Warning : DepthSubmissionMessages.ProblemOf(statistics.DepthSubmission))
+            return statistics.OwnRobot.SampleProblem
+                ?? (statistics.IsDisplayTimeImplausible ? Warning : DepthSubmissionMessages.ProblemOf(statistics.DepthSubmission))
                 ?? (IsMismatched(statistics) ? statistics.ProfileMismatches[0].Words : null) ?? ProblemOf(statistics.RangeUnknownReason, statistics.IsLightPredicted);
         }
 

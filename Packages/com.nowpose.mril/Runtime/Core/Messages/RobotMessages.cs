@@ -16,6 +16,9 @@ namespace Nowpose.Messages
         public const string DescriptionDiffers =
             "its description differs from that of the gateway, so the pose may be wrong; use the gateway's description on this headset";
 
+        public const string StampsAhead =
+            "the time stamps of the joint positions are ahead of the control clock, so the robot is shown too late; set the clock of their source";
+
         public static string OfRobot(string robot, string fault) => $"robot {robot}: {fault}";
 
         public static string ValueCount(int values, int joints) =>

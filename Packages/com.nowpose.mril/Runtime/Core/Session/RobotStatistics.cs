@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Session
@@ -26,6 +27,14 @@ namespace Nowpose.Session
 
         /// <inheritdoc cref="SessionStatistics.BeyondLimits"/>
         public JointBeyondLimits BeyondLimits { get; set; }
+
+        /// <summary>
+        /// Whether time stamps of the joint positions are ahead of the control clock, so that the robot is displayed too late.
+        /// </summary>
+        public bool AreStampsAhead { get; set; }
+
+        /// <summary>Message about the content of the samples; null if nothing is wrong with it.</summary>
+        public string SampleProblem => BeyondLimits?.Words ?? (AreStampsAhead ? RobotMessages.StampsAhead : null);
 
         /// <summary>Number of used messages.</summary>
         public long Samples { get; set; }

@@ -91,7 +91,7 @@ namespace Nowpose.Session
             yield return "the pose is " + PoseOf(statistics);
             if (statistics.FramesMissingFor is TimeSpan length) yield return DisplayMessages.NoFrames(length);
             if (missing.Length > 0) yield return "missing joints: " + missing;
-            foreach (var robot in statistics.Robots) yield return robot.OtherNamespaces;
+            foreach (var robot in statistics.Robots) yield return robot.OtherNamespaces ?? (robot.AreStampsAhead ? RobotMessages.StampsAhead : null);
         }
 
         static IEnumerable<string> NotCurrent(CellFaults cell)
@@ -105,7 +105,7 @@ namespace Nowpose.Session
             yield return UncertainJoints(statistics);
             yield return DisplayMessages.ProblemOf(statistics);
             foreach (var robot in statistics.OtherRobots)
-                if (robot.BeyondLimits != null) yield return RobotMessages.OfRobot(robot.Namespace, robot.BeyondLimits.Words);
+                if (robot.SampleProblem is { } problem) yield return RobotMessages.OfRobot(robot.Namespace, problem);
             if (statistics.RobotDescriptionMatch == RobotDescriptionMatch.Different) yield return RobotMessages.DescriptionDiffers;
             foreach (var robot in statistics.OtherRobots)
                 if (robot.DescriptionMatch == RobotDescriptionMatch.Different)

@@ -20,6 +20,14 @@ namespace Nowpose.Session
         /// <summary>Queue capacity in plans. Drops the oldest when full, because newer plans replace older plans.</summary>
         const int PlanQueueLength = 16;
 
+        /// <summary>Maximum time by which stamps are ahead of the control clock, in addition to its error bound, as in the gateway.</summary>
+        static readonly TimeSpan MaxAhead = TimeSpan.FromMilliseconds(50);
+
+        /// <summary>
+        /// Time for which stamps are ahead before this is reported. It is longer than the time in which a step of the control clock is detected.
+        /// </summary>
+        static readonly TimeSpan TimeUntilAhead = TimeSpan.FromSeconds(2);
+
         /// <summary>
         /// Minimum age of a sample that was taken before this session subscribed. The gateway sends the newest sample of each joint at rest to a new
         /// subscriber; its age is not a latency.
@@ -37,6 +45,7 @@ namespace Nowpose.Session
         readonly DropCounters _drops;
         readonly ConnectionStart _connection;
         readonly bool _followsPlans;
+        HeadsetTime? _aheadSince, _newestAhead;
 
         /// <param name="tracks">Predictors that receive the samples.</param>
         /// <param name="hindcast">Compares the samples with displayed frames.</param>
@@ -81,6 +90,9 @@ namespace Nowpose.Session
 
         /// <summary>Number of used messages.</summary>
         public long Samples { get; private set; }
+
+        /// <inheritdoc cref="RobotStatistics.AreStampsAhead"/>
+        public bool AreStampsAhead(HeadsetTime now) => now - _newestAhead <= TimeUntilAhead && _newestAhead - _aheadSince >= TimeUntilAhead;
 
         /// <summary>Queues a message for the next frame. Thread-safe.</summary>
         /// <param name="message">A validated message.</param>
@@ -128,6 +140,7 @@ namespace Nowpose.Session
         void Take(in Arrival<JointStateMessage> arrival, in ClockModel clock)
         {
             var stamp = arrival.Message.Stamp;
+            if (clock.IsKnown && stamp - clock.ToControl(arrival.At) > clock.ErrorBound + MaxAhead) CountAhead(arrival.At);
             if (clock.IsKnown && StampRule.IsInFuture(stamp, clock.ToControl(arrival.At), clock.ErrorBound))
             {
                 CountDrop(arrival, DropReason.StampInFuture);
@@ -144,6 +157,12 @@ namespace Nowpose.Session
             var isMeasured = clock.IsKnown && !isEarlier;
             if (isMeasured) _latency.Add(clock.ToControl(arrival.At), stamp);
             SampleTaken?.Invoke(arrival, isMeasured ? _latency.Newest : (TimeSpan?)null);
+        }
+
+        void CountAhead(HeadsetTime arrival)
+        {
+            if (!(arrival - _newestAhead <= TimeUntilAhead)) _aheadSince = arrival;
+            _newestAhead = arrival;
         }
 
         // A program that supplies the session has no connection: it subscribes with the first sample of a joint.

@@ -123,6 +123,7 @@ namespace Nowpose.Session
             into.IsSettledLimitedByBase = Frame.IsSettledLimitedByBase;
             into.DescriptionMatch = Description.Match;
             into.BeyondLimits = Limits.Present;
+            into.AreStampsAhead = Intake.AreStampsAhead(now);
             into.Samples = Intake.Samples;
             into.OtherNamespaces = into.Samples == 0 ? OtherNamespaces : null;
             Joints.Fill(into.JointStatuses, now, clock, Frame.DisplayTime);

@@ -83,7 +83,7 @@ namespace Nowpose.Unity.Cell
 
         string FaultOf(RobotStatistics robot) => robot.OtherNamespaces ?? _missingJoints.Of(robot)
             ?? ReasonOf(robot.SettledPose)
-            ?? robot.BeyondLimits?.Words
+            ?? robot.SampleProblem
             ?? (robot.DescriptionMatch == RobotDescriptionMatch.Different ? RobotMessages.DescriptionDiffers : null);
 
         static string ReasonOf(PoseState state) => state == PoseState.Current ? null : StatusMessages.ReasonOf(state);

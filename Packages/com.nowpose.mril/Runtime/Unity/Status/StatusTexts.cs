@@ -138,7 +138,8 @@ namespace Nowpose.Unity.Status
         void UpdateLatencies(SessionStatistics statistics)
         {
             var percentile = statistics.ApplicationLatency95;
-            Set(StatusRow.ApplicationLatency, Milliseconds.Of(statistics.ApplicationLatency), percentile.HasValue ? Percentiles.Of(percentile) : "");
+            var application = statistics.OwnRobot.AreStampsAhead ? MarkedMilliseconds : Milliseconds;
+            Set(StatusRow.ApplicationLatency, application.Of(statistics.ApplicationLatency), percentile.HasValue ? Percentiles.Of(percentile) : "");
             var isUncertain = statistics.IsDisplayTimeImplausible || DisplayMessages.IsMismatched(statistics)
                 || (statistics.IsDisplayTimeInconsistent && statistics.Profile != null);
             var visualisation = isUncertain ? MarkedMilliseconds : Milliseconds;

@@ -28,6 +28,67 @@ namespace Nowpose.Tests.Core.Session
             simulated.Session.Listener.Received(message, HeadsetTime.FromSeconds(simulated.Now));
         }
 
+        static DiagnosticsMessage MessageOf(SimulatedSession simulated) =>
+            SessionDiagnostics.Of(StatisticsOf(simulated), CellFaults.None, "left", default);
+
+        [TestCase(0.2, "quadratic", PoseState.Current)]
+        [TestCase(0.4, "quadratic", PoseState.Held)]
+        [TestCase(0.4, "adaptive", PoseState.Current)]
+        [TestCase(2, "quadratic", PoseState.Incomplete)]
+        public void Statistics_StampsAheadOfTheControlClock_ReportTheClockOfTheSource(double ahead, string predictor, PoseState pose)
+        {
+            var simulated = Running(ahead, predictor);
+
+            var statistics = StatisticsOf(simulated);
+            var message = MessageOf(simulated);
+
+            Assert.That(statistics.Pose, Is.EqualTo(pose));
+            Assert.That(DisplayMessages.ProblemOf(statistics), Is.EqualTo(RobotMessages.StampsAhead));
+            Assert.That(message.Level, Is.EqualTo(pose == PoseState.Incomplete ? 2 : 1));
+            Assert.That(message.Message, Does.Contain(RobotMessages.StampsAhead));
+        }
+
+        [Test]
+        public void Statistics_ClockOfTheSourceIsSet_ReportNothingTwoSecondsLater()
+        {
+            var simulated = Running(0.2);
+
+            simulated.StampErrorSeconds = 0;
+            simulated.Run(2.3);
+
+            Assert.That(DisplayMessages.ProblemOf(StatisticsOf(simulated)), Is.Null);
+        }
+
+        // After a step of the control clock, stamps are ahead until the headset has detected the step.
+        [TestCase(10, 0.1)]
+        [TestCase(1.5, 0.4)]
+        public void Statistics_StampsAheadByALatencyOrForASecond_ReportNothing(double seconds, double ahead)
+        {
+            var simulated = Running(0);
+
+            simulated.StampErrorSeconds = ahead;
+            simulated.Run(seconds);
+
+            Assert.That(DisplayMessages.ProblemOf(StatisticsOf(simulated)), Is.Null);
+        }
+
+        [Test]
+        public void Diagnostics_StampsOfAnotherRobotAhead_NameTheRobot()
+        {
+            var simulated = Running(0);
+            var second = simulated.Session.Robots.Add("arm2", TestRobot.Model);
+            for (var i = 0; i < 60; i++)
+            {
+                second.Intake.Add(
+                    new JointStateMessage(ControlNow(simulated) + Lengths.Ms(150), new[] { "shoulder", "elbow" }, new[] { 0.01 * i, 0.01 * i }),
+                    HeadsetTime.FromSeconds(simulated.Now));
+                simulated.Run(0.05);
+            }
+
+            Assert.That(StatisticsOf(simulated).WorstPose, Is.EqualTo(PoseState.Current));
+            Assert.That(MessageOf(simulated).Message, Is.EqualTo(RobotMessages.OfRobot("arm2", RobotMessages.StampsAhead)));
+        }
+
         [Test]
         public void Horizon_GripperStampsAhead_IsThatOfTheArm()
         {

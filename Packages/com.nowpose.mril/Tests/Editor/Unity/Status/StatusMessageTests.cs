@@ -1,3 +1,4 @@
+using System;
 using Nowpose.Latency;
 using Nowpose.Messages;
 using Nowpose.Network;
@@ -20,6 +21,19 @@ namespace Nowpose.Tests.Unity.Status
         [Test]
         public void Update_GatewayReportsAnError_ShowsIt() =>
             Assert.That(MessageOf(new SessionStatistics { SampleLink = LinkStatus.ConnectedWith("the name is taken") }), Is.EqualTo("! the name is taken"));
+
+        [Test]
+        public void Update_StampsAhead_ShowsTheActionToTakeAndMarksTheLatency()
+        {
+            var statistics = new SessionStatistics { ApplicationLatency = TimeSpan.FromMilliseconds(-360) };
+            statistics.OwnRobot.AreStampsAhead = true;
+            var texts = new StatusTexts();
+
+            texts.Update(statistics, null, "test", null);
+
+            Assert.That(texts.ValueOf(StatusRow.Message).Replace('\n', ' '), Is.EqualTo("! " + RobotMessages.StampsAhead));
+            Assert.That(texts.ValueOf(StatusRow.ApplicationLatency), Is.EqualTo("! −360 ms"));
+        }
 
         [TestCase(RangeUnknownReason.LongerThanRefresh, true, true)]
         [TestCase(RangeUnknownReason.LowFrameRate, true, true)]
