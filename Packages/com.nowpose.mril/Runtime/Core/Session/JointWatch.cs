@@ -77,7 +77,8 @@ namespace Nowpose.Session
             {
                 var report = reports?.OfJoint[i] ?? default;
                 if (!report.State.IsGood()) into.Add(StatusOf(i, report.State, report.Since, controlNow, report.Reason));
-                else if (IsRestUnknown(i, report) || (_isToolJoint[i] && !_tracks.HasSample(i))) into.Add(StatusOf(i, JointDataState.Missing, null, controlNow, ""));
+                else if (IsRestUnknown(i, report) || (_isToolJoint[i] && report.State != JointDataState.Rest && !_tracks.HasSample(i)))
+                    into.Add(StatusOf(i, JointDataState.Missing, null, controlNow, ""));
                 else if (report.State == JointDataState.Rest && (isRestConfirmed || !IsOld(i, shownFor)))
                     into.Add(StatusOf(i, JointDataState.Rest, report.Since, controlNow, report.Reason));
                 else if (IsOld(i, shownFor)) into.Add(StatusOf(i, JointDataState.Stale, _tracks.NewestOf(i), controlNow, ""));

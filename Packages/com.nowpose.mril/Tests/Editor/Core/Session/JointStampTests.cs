@@ -99,5 +99,23 @@ namespace Nowpose.Tests.Core.Session
 
             Assert.That(StatisticsOf(simulated).Horizon.Value.TotalSeconds, Is.InRange(0.05, 0.25));
         }
+
+        // The gateway sends the newest sample of a joint at rest only once.
+        [Test]
+        public void Fill_OnlySampleOfAJointAtRestArrivesBeforeTheClockIsKnown_IsAssumedAtRest()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed) { IsSamplingByTest = true };
+            simulated.Session.Listener.Received(
+                new JointStateMessage(ControlNow(simulated) - Lengths.Seconds(100), new[] { "shoulder", "elbow" }, new[] { 0.5, 0.25 }), default);
+            simulated.Run(5);
+
+            Report(simulated, new[] { "shoulder", "elbow" }.Select(joint => new JointReport(joint, JointDataState.Rest, default, "")).ToArray());
+            simulated.Run(0.1);
+
+            Assert.That(StatisticsOf(simulated).JointStatuses.Select(joint => (joint.Joint, joint.State)), Is.EqualTo(
+                new[] { ("shoulder", JointDataState.Rest), ("elbow", JointDataState.Rest) }));
+            Assert.That(StatisticsOf(simulated).Pose, Is.EqualTo(PoseState.Held));
+            Assert.That(MessageOf(simulated).Level, Is.EqualTo(1));
+        }
     }
 }
