@@ -19,6 +19,9 @@ namespace Nowpose.Messages
         public const string StampsAhead =
             "the time stamps of the joint positions are ahead of the control clock, so the robot is shown too late; set the clock of their source";
 
+        /// <summary>Reason of a joint.</summary>
+        public const string SamplesTooOld = "its samples arrive too late to be displayed; check the clock of its source";
+
         public static string OfRobot(string robot, string fault) => $"robot {robot}: {fault}";
 
         public static string ValueCount(int values, int joints) =>

@@ -31,11 +31,14 @@ namespace Nowpose.Session
         internal bool IsRestUncertain => State == JointDataState.Rest && Reason?.StartsWith(StateNames.UncertainRestReason, StringComparison.Ordinal) == true;
 
         /// <summary>State, age and reason in one line, such as "no data for 4 s: node deleted"; allocates.</summary>
-        public string Description => StateNames.Describe(WordsOf(State), Age, Reason);
+        public string Description => StateNames.Describe(Words, Age, Reason);
 
         /// <summary>Returns the description with a time in the caller's format, such as "no data since 14:03:12: node deleted"; allocates.</summary>
         /// <param name="since">The time as a string; null to omit it.</param>
-        public string DescriptionSince(string since) => StateNames.Describe(WordsOf(State), since == null ? "" : " since " + since, Reason);
+        public string DescriptionSince(string since) => StateNames.Describe(Words, since == null ? "" : " since " + since, Reason);
+
+        // Samples that are too old to be displayed are data.
+        string Words => Reason == RobotMessages.SamplesTooOld ? StateNames.NotCurrent : WordsOf(State);
 
         static string WordsOf(JointDataState state)
         {

@@ -22,6 +22,10 @@ namespace Nowpose.Session
         readonly bool[] _given;
         readonly (int Joint, int Master)[] _mimics;
         readonly LimitWatch _limits;
+        readonly double _horizonCap;
+        // Display times at which the last two samples of each joint arrived that were too old to be displayed. One does not show a wrong clock: the
+        // gateway sends the newest sample of a joint again to a new subscriber.
+        readonly (double Before, double Newest)[] _oldArrivals;
         bool _hasEpoch;
         double _displayed = double.NaN;
         ControlTime _epoch;
@@ -47,6 +51,9 @@ namespace Nowpose.Session
             _given = new bool[count];
             _mimics = MimicsOf(robot);
             _limits = new LimitWatch(robot);
+            _horizonCap = ClockTicks.Seconds(settings.HorizonCap);
+            _oldArrivals = new (double, double)[count];
+            Reset();
         }
 
         /// <summary>Joints with samples outside their limits; their positions are drawn at the limit.</summary>
@@ -86,6 +93,9 @@ namespace Nowpose.Session
             return newest;
         }
 
+        /// <summary>Returns whether samples of a joint have arrived in the last second that were already too old to be displayed.</summary>
+        public bool ReceivesOldSamples(int joint) => _displayed - _oldArrivals[joint].Before <= 1;
+
         /// <summary>
         /// Raised within <see cref="Add"/> with the index of a joint whose earlier samples were removed, because the clock of the samples went back or the newest
         /// stamp was wrong.
@@ -117,6 +127,7 @@ namespace Nowpose.Session
                     Restarted?.Invoke(joint);
                 }
                 if (each != DropReason.None) continue;
+                if (_displayed - time > _horizonCap) _oldArrivals[joint] = (_oldArrivals[joint].Newest, _displayed);
                 _limits.Add(joint, message.Positions[i]);
                 _past[joint].Add(time, message.Positions[i]);
             }
@@ -237,6 +248,7 @@ namespace Nowpose.Session
             foreach (var past in _past) past.Clear();
             _hasEpoch = false;
             _displayed = double.NaN;
+            Array.Fill(_oldArrivals, (double.NaN, double.NaN));
         }
 
         double SecondsOf(ControlTime stamp)

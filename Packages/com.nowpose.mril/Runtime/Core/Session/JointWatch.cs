@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Nowpose.Kinematics;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 
 namespace Nowpose.Session
@@ -81,6 +82,8 @@ namespace Nowpose.Session
                     into.Add(StatusOf(i, JointDataState.Missing, null, controlNow, ""));
                 else if (report.State == JointDataState.Rest && (isRestConfirmed || !IsOld(i, shownFor)))
                     into.Add(StatusOf(i, JointDataState.Rest, report.Since, controlNow, report.Reason));
+                else if (IsOld(i, shownFor) && _tracks.ReceivesOldSamples(i))
+                    into.Add(StatusOf(i, JointDataState.Stale, null, controlNow, RobotMessages.SamplesTooOld));
                 else if (IsOld(i, shownFor)) into.Add(StatusOf(i, JointDataState.Stale, _tracks.NewestOf(i), controlNow, ""));
             }
         }

@@ -45,6 +45,7 @@ namespace Nowpose.Session
         readonly DropCounters _drops;
         readonly ConnectionStart _connection;
         readonly bool _followsPlans;
+        readonly HeadsetTime[] _newestOfJoints;
         HeadsetTime? _aheadSince, _newestAhead;
 
         /// <param name="tracks">Predictors that receive the samples.</param>
@@ -63,6 +64,7 @@ namespace Nowpose.Session
             _latency = latency;
             _followsPlans = followsPlans;
             _messageJoints = new MessageJoints(robot);
+            _newestOfJoints = new HeadsetTime[robot.MovingJoints.Count];
             _backlog = new SampleBacklog(_messageJoints, QueueLength + Arrivals<JointStateMessage>.MaxKept);
         }
 
@@ -153,6 +155,8 @@ namespace Nowpose.Session
             CountDrop(arrival, isEarlier && reason == DropReason.DuplicateSample ? DropReason.None : reason);
             if (reason != DropReason.None) return;
             Samples++;
+            foreach (var joint in joints)
+                if (joint >= 0) _newestOfJoints[joint] = arrival.At;
             _hindcast.Add(arrival.Message, joints);
             var isMeasured = clock.IsKnown && !isEarlier;
             if (isMeasured) _latency.Add(clock.ToControl(arrival.At), stamp);
@@ -165,18 +169,14 @@ namespace Nowpose.Session
             _newestAhead = arrival;
         }
 
-        // A program that supplies the session has no connection: it subscribes with the first sample of a joint.
+        // Only the first sample of a joint over a connection can be from before the subscription; later samples are old because of the clock of their
+        // source. A program that supplies the session has no connection: it subscribes with the first sample of a joint.
         bool IsBeforeSubscription(in Arrival<JointStateMessage> arrival, ReadOnlySpan<int> joints, in ClockModel clock)
         {
-            var subscribed = _connection.Newest ?? (HasAnySample(joints) ? (HeadsetTime?)null : arrival.At);
-            return subscribed is HeadsetTime start && clock.ToControl(start) - arrival.Message.Stamp > MinAgeBeforeSubscription;
-        }
-
-        bool HasAnySample(ReadOnlySpan<int> joints)
-        {
+            var subscribed = _connection.Newest;
             foreach (var joint in joints)
-                if (joint >= 0 && _tracks.HasSample(joint)) return true;
-            return false;
+                if (joint >= 0 && _tracks.HasSample(joint) && !(_newestOfJoints[joint] < subscribed)) return false;
+            return clock.ToControl(subscribed ?? arrival.At) - arrival.Message.Stamp > MinAgeBeforeSubscription;
         }
 
         void Take(PlannedMotion plan, in ClockModel clock)

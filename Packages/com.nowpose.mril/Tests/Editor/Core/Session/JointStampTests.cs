@@ -11,7 +11,7 @@ using static Nowpose.Tests.Core.Session.WatchedSession;
 
 namespace Nowpose.Tests.Core.Session
 {
-    /// <summary>Tests joints whose source has another clock, or whose only sample is from before a restart of the clock.</summary>
+    /// <summary>Tests joints that another clock stamps, and joints with no sample since a restart of the clock.</summary>
     public class JointStampTests
     {
         static SimulatedSession Running(double stampErrorSeconds, string predictor = "quadratic")
@@ -98,6 +98,70 @@ namespace Nowpose.Tests.Core.Session
             simulated.Run(0.1);
 
             Assert.That(StatisticsOf(simulated).Horizon.Value.TotalSeconds, Is.InRange(0.05, 0.25));
+        }
+
+        [TestCase(-10)]
+        [TestCase(-600)]
+        [TestCase(-1_699_999_000)]
+        public void Statistics_StampsTooOldToBeDisplayed_ReportTheReasonAndTheLatency(double error)
+        {
+            var simulated = Running(error);
+
+            var statistics = StatisticsOf(simulated);
+
+            Assert.That(statistics.JointStatuses.Select(joint => (joint.Joint, joint.State, joint.Reason, joint.Since)), Is.EqualTo(new[]
+            {
+                ("shoulder", JointDataState.Stale, RobotMessages.SamplesTooOld, (ControlTime?)null),
+                ("elbow", JointDataState.Stale, RobotMessages.SamplesTooOld, null),
+            }));
+            Assert.That(statistics.JointStatuses[0].Description, Is.EqualTo(StateNames.NotCurrent + ": " + RobotMessages.SamplesTooOld));
+            Assert.That(statistics.Pose, Is.EqualTo(PoseState.Held));
+            Assert.That(statistics.ApplicationLatency.Value.TotalSeconds, Is.EqualTo(0.08 - error).Within(0.1));
+        }
+
+        [Test]
+        public void Statistics_OldSamplesStop_ReportNoDataSinceTheNewestStamp()
+        {
+            var simulated = Running(-10);
+
+            simulated.IsGatewayUp = false;
+            simulated.Run(1.2);
+
+            Assert.That(StatisticsOf(simulated).JointStatuses.Select(joint => joint.Reason), Is.All.Empty);
+            Assert.That(StatisticsOf(simulated).JointStatuses.Select(joint => joint.Age.Value.TotalSeconds), Is.All.InRange(11, 11.3));
+        }
+
+        // The gateway sends the newest sample of a joint again after a reconnection.
+        [Test]
+        public void Statistics_OneOldSampleArrives_ReportNoDataSinceItsStamp()
+        {
+            var simulated = Running(0);
+            simulated.SilentJoint = "elbow";
+            simulated.Run(5);
+
+            Receive(simulated, "elbow", age: 3);
+            simulated.Run(0.1);
+
+            var joint = StatisticsOf(simulated).JointStatuses.Single();
+            Assert.That((joint.Joint, joint.Reason, Math.Round(joint.Age.Value.TotalSeconds, 1)), Is.EqualTo(("elbow", "", 3.1)));
+        }
+
+        [Test]
+        public void SampleTaken_OldSamplesAfterAReconnection_OnlyTheFirstOfAJointHasNoLatency()
+        {
+            var simulated = Running(0);
+            var latencies = new List<double?>();
+            simulated.Session.Intake.SampleTaken += (arrival, latency) =>
+            {
+                if (arrival.Message.Names.Length == 1) latencies.Add(latency?.TotalSeconds);
+            };
+
+            simulated.Session.Listener.Connected(HeadsetTime.FromSeconds(simulated.Now));
+            foreach (var age in new[] { 60, 59.5, 59 }) Receive(simulated, "grip", age);
+            simulated.Run(0.1);
+
+            Assert.That(latencies.Select(latency => latency.HasValue), Is.EqualTo(new[] { false, true, true }));
+            Assert.That(latencies[2], Is.EqualTo(59).Within(0.01));
         }
 
         // The gateway sends the newest sample of a joint at rest only once.
