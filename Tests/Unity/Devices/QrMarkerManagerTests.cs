@@ -49,23 +49,63 @@ public sealed class QrMarkerManagerTests
     }
 
     [Test]
-    public void Manager_AllItsComponentsDisabled_StopsUnlessTheUserCreatedIt()
+    public void Manager_ComponentDisabled_IsRemovedOnlyByTheComponentThatAddedIt()
     {
-        var manager = _played.Origin.Origin.GetComponent<ARMarkerManager>();
+        var manager = Manager;
         var second = new GameObject("Second").AddComponent<QrMarkers>();
         _played.Cell.Frame(_played.Session);
 
         second.enabled = false;
-        var ofAnother = manager.enabled;
+        _played.Cell.Frame(_played.Session);
+        var ofAnother = Manager;
         _played.Markers.enabled = false;
-        var meanwhile = manager.enabled;
+        _played.Cell.Frame(_played.Session);
+        var meanwhile = Manager;
         _played.Markers.enabled = true;
+        _played.Cell.Frame(_played.Session);
         _played.Report();
 
-        Assert.That(ofAnother);
-        Assert.That(meanwhile, Is.False);
+        Assert.That(ofAnother, Is.SameAs(manager));
+        Assert.That(meanwhile == null);
         Assert.That(_played.ReadOne().Tracking, Is.EqualTo(MarkerTracking.Tracking));
     }
+
+    // A cell may be unloaded and loaded again, while the XR Origin stays in another scene.
+    [TestCase(true)]
+    [TestCase(false)]
+    public void Manager_ComponentThatAddedItGoes_AnotherComponentReadsCodes(bool isLoadedLater)
+    {
+        var second = isLoadedLater ? null : new GameObject("Second").AddComponent<QrMarkers>();
+        _played.Cell.Frame(_played.Session);
+
+        Object.Destroy(_played.Markers);
+        _played.Cell.Frame(_played.Session);
+        second ??= new GameObject("Second").AddComponent<QrMarkers>();
+        _played.Cell.Run(4, _played.Session);
+        _played.Report();
+        _played.Cell.Frame(_played.Session);
+
+        var codes = new List<MarkerSighting>();
+        second.Read(codes);
+        Assert.That((codes.Count, second.Problem), Is.EqualTo((1, (string)null)));
+    }
+
+    [Test]
+    public void Manager_OfTheUser_StaysWhenTheComponentIsDisabled()
+    {
+        Object.Destroy(_played.Markers);
+        _played.Cell.Frame(_played.Session);
+        var manager = _played.Origin.Origin.gameObject.AddComponent<ARMarkerManager>();
+        var markers = new GameObject("Second").AddComponent<QrMarkers>();
+        _played.Cell.Frame(_played.Session);
+
+        markers.enabled = false;
+        _played.Cell.Frame(_played.Session);
+
+        Assert.That(manager != null && manager.enabled);
+    }
+
+    ARMarkerManager Manager => _played.Origin.Origin.GetComponent<ARMarkerManager>();
 
     [Test]
     public void Problem_DeviceWithoutCodes_IsLoggedOnceAfterATimeout()

@@ -87,16 +87,11 @@ namespace Nowpose.ArFoundation
             return space != null && space.InverseTransformPoint(world).magnitude < OriginMetres;
         }
 
-        /// <summary>Disables the manager if this object added it. <see cref="Wake"/> enables it again.</summary>
-        public void Sleep()
+        /// <summary>Removes the manager if this object added it. The next <see cref="Follow"/>, also that of another object, adds it again.</summary>
+        public void Remove()
         {
             IsRunning = false;
-            if (_isOurs && Manager != null) Manager.enabled = false;
-        }
-
-        public void Wake()
-        {
-            if (_isOurs && Manager != null) Manager.enabled = true;
+            if (_isOurs && Manager != null) UnityEngine.Object.Destroy(Manager);
         }
 
         T FindOrAdd(XROrigin assigned)

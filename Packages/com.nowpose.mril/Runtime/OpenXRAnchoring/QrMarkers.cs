@@ -60,15 +60,11 @@ namespace Nowpose.OpenXR
             _records.End();
         }
 
-        void OnEnable()
-        {
-            _source = this.SessionOfSource(_session, "QR markers");
-            _codes.Wake();
-        }
+        void OnEnable() => _source = this.SessionOfSource(_session, "QR markers");
 
         void OnDisable()
         {
-            _codes.Sleep();
+            _codes.Remove();
             _records.Clear();
         }
 
