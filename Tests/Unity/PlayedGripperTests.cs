@@ -223,4 +223,34 @@ public class PlayedGripperTests
         Assert.That(_played.Cell.Player.Logs.Single().Context, Is.SameAs(ghost));
         Assert.That(ghost.GapMetres, Is.Null);
     }
+
+    [Test]
+    public void Mount_GripperIsHiddenAndShown_StaysOnItsRig()
+    {
+        var gripper = Below<VirtualGripper>("Virtual Gripper", _played.Rig.transform);
+        var other = Below<RobotRig>("Other robot", _played.Session.transform);
+        other.transform.position = new Vector3(5, 0, 0);
+        _played.Play(1);
+        gripper.Mount(other);
+
+        gripper.gameObject.SetActive(false);
+        _played.Cell.Run(0.1, _played.Session);
+        gripper.gameObject.SetActive(true);
+        _played.Cell.Run(0.1, _played.Session);
+
+        Assert.That(gripper.Rig, Is.SameAs(other));
+        Assert.That(Vector3.Distance(gripper.transform.position, other.Flange.position), Is.LessThan(1e-5));
+    }
+
+    [Test]
+    public void Mount_Null_FollowsTheRigOnAParent()
+    {
+        var gripper = Below<VirtualGripper>("Virtual Gripper", _played.Rig.transform);
+        _played.Play(1);
+        gripper.Mount(Below<RobotRig>("Other robot", _played.Session.transform));
+
+        gripper.Mount(null);
+
+        Assert.That((gripper.Rig, gripper.Flange), Is.EqualTo((_played.Rig, _played.Rig.Flange)));
+    }
 }

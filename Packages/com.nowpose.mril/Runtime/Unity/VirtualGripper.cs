@@ -63,19 +63,17 @@ namespace Nowpose.Unity
 
         string ISignalComponent.FaultLabel => ObjectMessages.FingerNotMoved;
 
-        /// <summary>Starts to follow a rig instead of the previous rig. The component itself calls this method when it is enabled.</summary>
+        /// <summary>Sets the field Rig, and follows this rig from now on. A script can call this method at any time.</summary>
+        /// <param name="rig">The rig whose flange carries the gripper; null to use the rig on a parent.</param>
         public void Mount(RobotRig rig)
         {
-            Unmount();
-            _source = rig;
-            rig.Bound += Fit;
-            rig.Posed += Follow;
-            if (rig.Model != null) Fit();
-            _appearances.Refresh(this);
+            _rig = rig;
+            Attach();
         }
 
         /// <summary>
-        /// Stops following the rig, and moves the fingers to their rest poses. The component itself calls this method when it is disabled.
+        /// Stops following the rig until the component is enabled again, and moves the fingers to their rest poses. The component itself calls this
+        /// method when it is disabled.
         /// </summary>
         public void Unmount()
         {
@@ -89,27 +87,29 @@ namespace Nowpose.Unity
             List();
         }
 
-        void OnEnable()
-        {
-            _found = _rig != null ? _rig : GetComponentInParent<RobotRig>();
-            if (_found != null)
-            {
-                Mount(_found);
-                return;
-            }
-            ConsoleLog.Fail(this, ComponentMessages.GripperWithoutRig(name));
-            _appearances.Refresh(this);
-        }
+        void OnEnable() => Attach();
 
         void OnDisable() => Unmount();
 
-        // A gripper that a script has mounted or unmounted stays as it is.
+        // A gripper that a script has unmounted stays as it is.
         void OnTransformParentChanged()
         {
+            if (ReferenceEquals(_source, _found) && this.IsBelowAnotherRig(_rig, _found)) Attach();
+            else _appearances.Refresh(this);
+        }
+
+        void Attach()
+        {
+            Unmount();
+            _source = _found = _rig != null ? _rig : GetComponentInParent<RobotRig>();
+            if (_source != null)
+            {
+                _source.Bound += Fit;
+                _source.Posed += Follow;
+                if (_source.Model != null) Fit();
+            }
+            else ConsoleLog.Fail(this, ComponentMessages.GripperWithoutRig(name));
             _appearances.Refresh(this);
-            if (!ReferenceEquals(_source, _found) || !this.IsBelowAnotherRig(_rig, _found)) return;
-            OnDisable();
-            OnEnable();
         }
 
         void Fit()
