@@ -69,10 +69,16 @@ namespace Nowpose.Unity
         void OnEnable()
         {
             _source = this.RequiredSession(_session, "session recording");
+            // During a pause, the system may end the application, and no further frame follows.
+            if (_source != null) _source.Hidden += Follow;
             if (_recordOnEnable) StartRecording();
         }
 
-        void OnDisable() => StopRecording();
+        void OnDisable()
+        {
+            if (_source is object) _source.Hidden -= Follow;
+            StopRecording();
+        }
 
         // Runs before the session computes its frame, so the file contains the first frame of the session.
         void Update()
