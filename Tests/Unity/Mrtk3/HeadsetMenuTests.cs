@@ -157,4 +157,17 @@ public sealed class HeadsetMenuTests
 
         Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
     }
+
+    [Test]
+    public void Slider_ListenerThrowsWhileItsValueIsShown_StillRunsTheAction()
+    {
+        _opacity.OnValueUpdated.AddListener(_ => throw new InvalidOperationException("thrown by the listener"));
+        _actions.SetOpacity(0.5f);
+        Run();
+
+        _nudge.Value = -7.5f;
+        Run();
+
+        Assert.That((_actions.NudgeMs, _nudge.Value), Is.EqualTo((-7.5f, -7.5f)));
+    }
 }

@@ -94,8 +94,15 @@ namespace Nowpose.Mrtk3
             var shown = Mathf.Clamp(value, slider.MinValue, slider.MaxValue);
             if (slider.Value == shown) return;
             _isShowing = true;
-            slider.Value = shown;
-            _isShowing = false;
+            try
+            {
+                slider.Value = shown;
+            }
+            finally
+            {
+                // Another listener of the slider's event may throw.
+                _isShowing = false;
+            }
         }
 
         void ShowOpacity(int percent)
