@@ -180,6 +180,28 @@ public sealed class TimestampDisplayTests
         Assert.That(_display.FrameStart, Is.Null);
     }
 
+    // A camera would read the old time of a code that stays lit.
+    [Test]
+    public void OnDisable_ByAnEarlierListenerOfTheFrame_RemovesItsObjects()
+    {
+        var isOff = false;
+        _session = _cell.NewSession();
+        _session.Shown += _ =>
+        {
+            if (isOff) _display.enabled = false;
+        };
+        _display = _session.gameObject.AddComponent<TimestampDisplay>().With("_light", new Material((Shader)null));
+        _session.gameObject.SetActive(true);
+        _cell.Run(5, _session);
+        Assert.That(Code.enabled);
+
+        isOff = true;
+        _cell.Run(0.1, _session);
+
+        Assert.That(_display.transform.Find("Timestamp"), Is.EqualTo(null));
+        Assert.That(_display.FrameStart, Is.Null);
+    }
+
     [Test]
     public void Session_Missing_IsLogged()
     {

@@ -18,13 +18,16 @@ namespace Nowpose.Unity.Session
 
         public void Remove(T listener) => Set((T)Delegate.Remove(_all, listener));
 
-        /// <summary>Calls each listener that is present now.</summary>
+        /// <summary>Calls each listener that is present now, unless an earlier one removes it.</summary>
         /// <param name="sender">Component that raises the event, for the console.</param>
         /// <param name="call">Calls a listener with the value. It must not capture variables, which would allocate.</param>
         public void Raise<TValue>(Component sender, Action<T, TValue> call, TValue value)
         {
-            foreach (var listener in _each)
+            var present = _each;
+            foreach (var listener in present)
             {
+                // A listener may disable the component of another one.
+                if (_each != present && Array.IndexOf(_each, listener) < 0) continue;
                 try
                 {
                     call(listener, value);
