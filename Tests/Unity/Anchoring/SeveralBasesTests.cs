@@ -98,4 +98,33 @@ public class SeveralBasesTests
 
         Assert.That((_played.Anchor.State, _played.Anchor.transform.position), Is.EqualTo((BaseAnchorState.Placed, before)));
     }
+
+    [Test]
+    public void LockBase_ListenerOfTheFirstBaseThrows_SearchesForAllBases()
+    {
+        var other = PlayedRig.Below<BaseAnchor>("Other base", _played.Session.transform)
+            .With("_markers", new List<AnchorMarker> { new("b", Vector3.zero, Vector3.zero) });
+        _played.Markers.Markers["b"] = RigidTransform.Identity;
+        var actions = _played.Session.gameObject.AddComponent<CellActions>();
+        _played.PlayLocked();
+        Assert.That(other.State, Is.EqualTo(BaseAnchorState.Locked));
+        _played.Anchor.StateChanged += () => throw new InvalidOperationException("thrown by the listener");
+
+        actions.LockBase();
+
+        Assert.That((_played.Anchor.State, other.State), Is.EqualTo((BaseAnchorState.Searching, BaseAnchorState.Searching)));
+    }
+
+    [Test]
+    public void Place_ListenerThrows_OtherListenersAreCalled()
+    {
+        _played.Play();
+        var moved = 0;
+        _played.Anchor.Moved += () => throw new InvalidOperationException("thrown by the listener");
+        _played.Anchor.Moved += () => moved++;
+
+        _played.Anchor.Place(Vector3.one, Quaternion.identity);
+
+        Assert.That(moved, Is.EqualTo(1));
+    }
 }

@@ -72,6 +72,7 @@ namespace Nowpose.Unity
             + "motion is visible but short.")]
         float _easeMs = 800;
 
+        readonly Listeners<Action> _moved = new Listeners<Action>(), _stateChanged = new Listeners<Action>();
         readonly AnchorSources _sources = new AnchorSources();
         MrilSession _session;
         readonly AnchorLog _log = new AnchorLog();
@@ -81,10 +82,10 @@ namespace Nowpose.Unity
         (Vector3 Position, Quaternion Rotation) _own;
 
         /// <summary>Raised when <see cref="Place"/> or <see cref="Nudge"/> moves the anchor.</summary>
-        public event Action Moved;
+        public event Action Moved { add => _moved.Add(value); remove => _moved.Remove(value); }
 
         /// <summary>Raised when <see cref="State"/> or <see cref="Words"/> changes, except when the object is switched off.</summary>
-        public event Action StateChanged;
+        public event Action StateChanged { add => _stateChanged.Add(value); remove => _stateChanged.Remove(value); }
 
         /// <summary>Name of the robot cell, under which the headset saves the pose. If the name is empty, the pose is not saved.</summary>
         public string Cell => Tracker?.Cell ?? _cell;
@@ -116,9 +117,7 @@ namespace Nowpose.Unity
 
         /// <summary>Replaces the cell and the markers that were entered in the Inspector.</summary>
         /// <remarks>The base stays locked if the cell is the same and the new markers include the markers that locked it.</remarks>
-        /// <param name="cell">
-        /// Name of the cell, under which the headset saves the pose across restarts. If it is empty or null, the pose is not saved.
-        /// </param>
+        /// <param name="cell">Name of the cell, under which the headset saves the pose. If it is empty or null, the pose is not saved.</param>
         /// <param name="markers">The markers fixed to the base; empty if the base is placed by hand.</param>
         /// <exception cref="InputException">Two markers have the same payload, or there are too many markers.</exception>
         public void Use(string cell, IReadOnlyList<BaseMarker> markers)
@@ -162,7 +161,7 @@ namespace Nowpose.Unity
         {
             MoveTo(position, rotation);
             Tracker?.Place(UnityPoses.ToRoom(transform.position, transform.rotation));
-            Moved?.Invoke();
+            _moved.Raise(this);
             Notify();
         }
 
@@ -178,7 +177,7 @@ namespace Nowpose.Unity
             var from = Tracker?.Base is Kinematics.RigidTransform at ? UnityPoses.ToWorld(at) : new Pose(transform.position, transform.rotation);
             MoveTo(from.position + from.rotation * metres, from.rotation * Quaternion.AngleAxis(degreesAboutUp, Vector3.up));
             Tracker?.Nudge(UnityPoses.ToRoom(transform.position, transform.rotation));
-            Moved?.Invoke();
+            _moved.Raise(this);
             Notify();
         }
 
@@ -236,7 +235,7 @@ namespace Nowpose.Unity
             if (state == _state && ReferenceEquals(words, _words)) return;
             (_state, _words) = (state, words);
             _log.Log(this, Tracker, state, words, isQuiet: Problem != null);
-            StateChanged?.Invoke();
+            _stateChanged.Raise(this);
         }
 
         void ReportScale()

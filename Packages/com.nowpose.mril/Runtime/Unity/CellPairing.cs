@@ -148,16 +148,10 @@ namespace Nowpose.Unity
             _view.Show(_source, Flow, now);
             Flow.IsTokenRefused = IsTokenRefused(_source);
             var changes = Flow.Tick(now);
-            // Saves before the events: a listener of the anchor or the session may throw or disable this component.
+            // Saves before the events: a listener of the anchor or the session may disable this component.
             if ((changes & PairingChange.Kept) != 0) Keep();
-            try
-            {
-                Apply((changes & PairingChange.Applied) != 0);
-            }
-            finally
-            {
-                if (changes != PairingChange.None && Flow != null) Notify(changes);
-            }
+            Apply((changes & PairingChange.Applied) != 0);
+            if (changes != PairingChange.None && Flow != null) Notify(changes);
         }
 
         void Apply(bool isNew)
