@@ -48,9 +48,6 @@ public sealed class CellActionsTests
         return block.GetFloat(Shader.PropertyToID("_Hatch"));
     }
 
-    IEnumerable<MeshRenderer> Occluders => Find<RobotRig>("Robot").GetComponentsInChildren<MeshRenderer>(true)
-        .Where(r => r.sharedMaterial != null && r.sharedMaterial.name == "Occluder");
-
     [Test]
     public void ToggleConnected_Twice_ConnectsAndDisconnects()
     {
@@ -136,50 +133,6 @@ public sealed class CellActionsTests
 
         Assert.That(Find<StatusPanel>("Status Panel").gameObject.activeSelf, Is.False);
         Assert.That(_actions.IsPanelShown, Is.False);
-    }
-
-    [Test]
-    public void SetOcclusion_OffAndOn_HidesAndRestoresOnlyTheOccluders()
-    {
-        var gripper = Find<Transform>("Palm").GetComponentInChildren<MeshRenderer>();
-        Assert.That(Occluders, Is.Not.Empty);
-
-        _actions.SetOcclusion(false);
-        Run(0.1);
-        var off = Occluders.Count(r => r.isVisible);
-        var gripperVisible = gripper.isVisible;
-        _actions.SetOcclusion(true);
-        Run(0.1);
-
-        Assert.That(off, Is.Zero);
-        Assert.That(gripperVisible, Is.True);
-        Assert.That(Occluders.All(r => r.isVisible), Is.True);
-    }
-
-    [Test]
-    public void SetOcclusion_OffBeforeTheRobotIsBuilt_HidesItsOccluders()
-    {
-        _cell.Dispose();
-        _cell = new PlayedCell();
-        _session = _cell.NewSessionOf("Nowpose Robot Cell (Any Robot)");
-        _actions = _session.gameObject.AddComponent<CellActions>();
-        _session.gameObject.SetActive(true);
-
-        _actions.SetOcclusion(false);
-        Run(1);
-
-        Assert.That(Occluders, Is.Not.Empty);
-        Assert.That(Occluders.Count(r => r.enabled), Is.Zero);
-    }
-
-    [Test]
-    public void SetOcclusion_ComponentDisabled_RestoresTheOccluders()
-    {
-        _actions.SetOcclusion(false);
-
-        _actions.enabled = false;
-
-        Assert.That(Occluders.All(r => r.enabled), Is.True);
     }
 
     [TestCase(0.4f, 0.6f)]

@@ -5,13 +5,15 @@ namespace Nowpose.Unity.Rendering
 {
     /// <summary>Enables or disables occlusion: invisible parts at the pose of the real arm that hide the virtual objects behind the arm.</summary>
     /// <remarks>
-    /// Applies only to rigs that show the displayed pose. Identifies the parts by their material, including the parts of robots built later.
+    /// Applies only to rigs that show the displayed pose. Identifies the parts by their material, including the parts of robots built later. A rig
+    /// that is added later is found at the next change.
     /// </remarks>
     sealed class Occlusion
     {
         readonly List<RobotRig> _rigs = new List<RobotRig>();
         readonly List<MeshRenderer> _found = new List<MeshRenderer>();
         readonly List<MeshRenderer> _hidden = new List<MeshRenderer>();
+        MrilSession _session;
         Material _material;
 
         public bool IsOn { get; private set; } = true;
@@ -20,7 +22,7 @@ namespace Nowpose.Unity.Rendering
         /// <param name="material">Material of the parts; null to use the arm material of each rig.</param>
         public void Begin(MrilSession session, Material material)
         {
-            _material = material;
+            (_session, _material) = (session, material);
             session.GetComponentsInChildren(true, _rigs);
             _rigs.RemoveAll(rig => rig.Shows != RigPose.Displayed);
             foreach (var rig in _rigs) rig.Bound += Apply;
@@ -34,12 +36,15 @@ namespace Nowpose.Unity.Rendering
             foreach (var rig in _rigs)
                 if (rig is object) rig.Bound -= Apply;
             _rigs.Clear();
+            _session = null;
         }
 
         public void Set(bool isOn)
         {
             IsOn = isOn;
-            Apply();
+            var session = _session;
+            End();
+            if (session != null) Begin(session, _material);
         }
 
         void Apply()
