@@ -180,4 +180,27 @@ public class PlayedRobotTests
         Assert.That(drawn.Single() == null, "the first robot's material is destroyed with it");
         Assert.That(rig.GetComponentsInChildren<MeshRenderer>().Select(r => r.sharedMaterial.shader).Distinct(), Is.EqualTo(new[] { shader }));
     }
+
+    // The objects of another robot may be directly below the rig or below its root link.
+    [TestCase(true)]
+    [TestCase(false)]
+    public void Rig_DrawnObjectInItsWay_IsNamedAndTheRigIsBuiltAfterItsRemoval(bool isDirectlyBelow)
+    {
+        var stray = GameObject.CreatePrimitive(PrimitiveType.Cube);
+        var named = isDirectlyBelow ? stray : new GameObject("other_base");
+        named.name = "other_base";
+        if (!isDirectlyBelow) stray.transform.SetParent(named.transform, false);
+        named.transform.SetParent(_played.Rig.transform, false);
+        _played.Play(0.5);
+        var robot = _played.Session.Robot;
+        Assert.That(_played.Cell.Messages, Has.Exactly(1).EndsWith(RigMessages.NoRootLink(robot.Name, "Robot", robot.Root.Name, "other_base")));
+
+        UnityEngine.Object.Destroy(named);
+        _played.Cell.Run(0.1, _played.Session);
+        _played.Rig.enabled = false;
+        _played.Rig.enabled = true;
+        _played.Cell.Run(0.1, _played.Session);
+
+        Assert.That(_played.Rig.IsFollowing);
+    }
 }

@@ -51,7 +51,7 @@ namespace Nowpose.Editor.Inspectors
             for (var i = 0; i < rig.transform.childCount; i++)
             {
                 var child = rig.transform.GetChild(i);
-                if (RigHierarchy.DrawnAt(child) != null) yield return child.gameObject;
+                if (RigHierarchy.IsDrawn(child)) yield return child.gameObject;
             }
         }
 

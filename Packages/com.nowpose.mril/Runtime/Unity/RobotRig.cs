@@ -207,7 +207,7 @@ namespace Nowpose.Unity
             if (_source is null) return;
             _source.Movers.Remove(this);
             _robot.Leave();
-            _source = null;
+            (_source, _refused) = (null, null);
         }
 
         void OnTransformParentChanged()

@@ -110,18 +110,18 @@ namespace Nowpose.Unity.Robot
         public static void RequireEmpty(RobotModel model, Transform rig)
         {
             for (var i = 0; i < rig.childCount; i++)
-                if (DrawnAt(rig.GetChild(i)) is Transform drawn)
-                    throw new InputException(RigMessages.NoRootLink(model.Name, rig.name, model.Root.Name, drawn.parent.name));
+                if (IsDrawn(rig.GetChild(i)))
+                    throw new InputException(RigMessages.NoRootLink(model.Name, rig.name, model.Root.Name, rig.GetChild(i).name));
         }
 
-        /// <summary>Returns the first drawn object at or below an object, other than tools and other rigs; null if there is none.</summary>
-        public static Transform DrawnAt(Transform at)
+        /// <summary>Returns whether something other than tools and other rigs is drawn at or below an object.</summary>
+        public static bool IsDrawn(Transform at)
         {
-            if (at.TryGetComponent<RobotRig>(out _) || at.TryGetComponent<VirtualGripper>(out _)) return null;
-            if (at.TryGetComponent<MeshFilter>(out _)) return at;
+            if (at.TryGetComponent<RobotRig>(out _) || at.TryGetComponent<VirtualGripper>(out _)) return false;
+            if (at.TryGetComponent<MeshFilter>(out _)) return true;
             for (var i = 0; i < at.childCount; i++)
-                if (DrawnAt(at.GetChild(i)) is Transform drawn) return drawn;
-            return null;
+                if (IsDrawn(at.GetChild(i))) return true;
+            return false;
         }
 
         // Rejects transformed objects between two links, because the origin of a joint is relative to the parent link, and between the rig and the

@@ -171,7 +171,7 @@ namespace Nowpose.Tests.Unity.Robot
 
             var fault = Assert.Throws<InputException>(() => rig.Bind(UrdfFiles.Robot("ur5")));
 
-            Assert.That(fault.Message, Does.Contain("'ur5'").And.Contain("'base_link'").And.Contain("'arm_link_2'"));
+            Assert.That(fault.Message, Does.Contain("'ur5'").And.Contain("'base_link'").And.Contain("'arm_link_0'"));
             Assert.That(rig.Model, Is.Null);
         }
 
