@@ -251,6 +251,14 @@ public class RenderTimeSourceTests
     }
 
     [Test]
+    public void Session_Missing_IsLogged()
+    {
+        new GameObject("Alone").AddComponent<RenderTimeSource>();
+
+        Assert.That(_cell.Messages, Has.Exactly(1).EndsWith(ComponentMessages.ComponentWithoutSession("render time source", "Alone")));
+    }
+
+    [Test]
     public void Report_SessionRestartsAfterAPause_ReceivesRenderTimesAgain()
     {
         DisplayTakes(0.02f);

@@ -28,7 +28,6 @@ namespace Nowpose.Unity
 
         readonly GpuTimes _gpu = new GpuTimes();
         readonly WaitForEndOfFrame _endOfFrame = new WaitForEndOfFrame();
-        SessionLog _log;
         RenderTimeChoice _choice;
         MrilSession _target;
         IHeadsetClock _clock;
@@ -47,8 +46,7 @@ namespace Nowpose.Unity
 
         void OnEnable()
         {
-            _log ??= new SessionLog(this);
-            _target = this.SessionOr(_session);
+            _target = this.RequiredSession(_session, "render time source");
             _clock = _target.ClockOrDevices();
             _choice = new RenderTimeChoice(
                 RenderTimeSourceKind.DisplayGpuTime, RenderTimeSourceKind.EngineGpuTime, RenderTimeSourceKind.GpuCompletion, RenderTimeSourceKind.CameraCpu);
@@ -122,8 +120,8 @@ namespace Nowpose.Unity
         void LogSource()
         {
             var message = "render time: " + RenderTimeNames.NameOf(Source);
-            if (Source == RenderTimeSourceKind.None || Source == RenderTimeSourceKind.CameraCpu) _log.Warn(message);
-            else _log.Info(message);
+            if (Source == RenderTimeSourceKind.None || Source == RenderTimeSourceKind.CameraCpu) ConsoleLog.Warn(this, message);
+            else ConsoleLog.Info(this, message);
         }
     }
 }
