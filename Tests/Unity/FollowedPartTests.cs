@@ -178,4 +178,21 @@ public class FollowedPartTests : PlayedParts
         Run(0.5);
         Assert.That((part.isVisible, Hatched.IsHatched(part)), Is.EqualTo((true, false)));
     }
+
+    [Test]
+    public void Signal_ScriptsRecompiled_IsFollowedAgain()
+    {
+        var rig = Below<RobotRig>("Robot", _session.transform);
+        var grip = Below<GripByReach>("grip", rig.transform);
+        var part = Below<ActuatedPart>("jaw", _session.transform).With("_strokeMs", 0f);
+        Run(1);
+
+        grip.Recompile();
+        part.Recompile();
+        Run(0.1);
+        SendSignal("jaw", _cell.Now - 1, 1);
+        Run(0.5);
+
+        Assert.That((grip.Signal, part.Fault, part.Share), Is.EqualTo(("grip", (string)null, 1f)));
+    }
 }

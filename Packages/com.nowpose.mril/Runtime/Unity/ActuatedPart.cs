@@ -1,3 +1,4 @@
+using System;
 using Nowpose.Kinematics;
 using Nowpose.Session;
 using Nowpose.Signals;
@@ -46,7 +47,8 @@ namespace Nowpose.Unity
         Vector3 _restPosition;
         Quaternion _restRotation;
         (Component Mover, RobotJoint Joint) _other;
-        string _conflict, _title, _disabled;
+        // Otherwise, Unity saves them when it recompiles scripts in play mode, and makes an empty text of null.
+        [NonSerialized] string _conflict, _title, _disabled;
 
         /// <summary>Name of the signal.</summary>
         public string Signal => _follower != null ? _follower.Name : string.IsNullOrEmpty(_signal) ? name : _signal;

@@ -1,3 +1,4 @@
+using System;
 using Nowpose.Frames;
 using Nowpose.Messages;
 using Nowpose.Session;
@@ -37,7 +38,8 @@ namespace Nowpose.Unity
         SessionRobot _robot;
         CompensationSession _followed;
         ReachGrip _grip;
-        string _name, _title, _problem;
+        // Otherwise, Unity saves them when it recompiles scripts in play mode, and makes an empty text of null.
+        [NonSerialized] string _name, _title, _problem;
 
         /// <summary>Name of the signal.</summary>
         public string Signal => _name ?? (string.IsNullOrEmpty(_signal) ? name : _signal);
