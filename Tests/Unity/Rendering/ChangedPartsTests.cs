@@ -144,6 +144,32 @@ public class ChangedPartsTests : PlayedParts
         Assert.That(palm.isVisible, Is.False, "the second robot has no samples");
     }
 
+    // A robot may have hundreds of renderers, and each added signal refreshes the appearances above it.
+    [Test]
+    public void Refresh_PartsFarBelow_AllocatesNoMoreThanForPartsDirectlyBelow()
+    {
+        var appearance = Child("look", _session.transform).AddComponent<PoseAppearance>();
+        var parts = Child("parts", appearance.transform);
+        for (var i = 0; i < 100; i++) Part("part" + i, parts.transform);
+        Run(0.1);
+        var near = RefreshedBytes(appearance);
+
+        var at = appearance.transform;
+        for (var i = 0; i < 8; i++) at = Child("level" + i, at).transform;
+        parts.transform.SetParent(at, false);
+
+        Assert.That(RefreshedBytes(appearance), Is.LessThan(near + 1000));
+        Assert.That(appearance.PartCount, Is.EqualTo(100));
+    }
+
+    static long RefreshedBytes(PoseAppearance appearance)
+    {
+        appearance.Refresh();
+        var before = GC.GetAllocatedBytesForCurrentThread();
+        appearance.Refresh();
+        return GC.GetAllocatedBytesForCurrentThread() - before;
+    }
+
     [Test]
     public void Show_GripperMountedOnAnotherRig_HasTheStateOfThatRobot()
     {

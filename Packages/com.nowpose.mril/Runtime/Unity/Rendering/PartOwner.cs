@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using UnityEngine;
 
 namespace Nowpose.Unity.Rendering
@@ -5,6 +6,9 @@ namespace Nowpose.Unity.Rendering
     /// <summary>Assigns each drawn part to one Pose Appearance.</summary>
     static class PartOwner
     {
+        // The appearances on one object. An array for each renderer and each of its parents would be created otherwise.
+        static readonly List<PoseAppearance> Found = new List<PoseAppearance>();
+
         /// <summary>
         /// Returns whether a part belongs to an appearance: to the nearest enabled one above it, and to the last enabled one of an object. The last one
         /// is the one that the user has added to an instance of an imported robot. Works outside play mode, too.
@@ -15,8 +19,11 @@ namespace Nowpose.Unity.Rendering
             if (label != null && part.gameObject == label.gameObject) return false;
             PoseAppearance owner = null;
             for (var at = part.transform; at != null && owner == null; at = at.parent)
-                foreach (var each in at.GetComponents<PoseAppearance>())
+            {
+                at.GetComponents(Found);
+                foreach (var each in Found)
                     if (each.IsOwner) owner = each;
+            }
             return owner == appearance;
         }
     }
