@@ -176,7 +176,7 @@ namespace Nowpose.Editor.Setup
                 if (merge.Conflicts.Count > 0) throw new InputException(ManifestMessages.Conflicts(string.Join("; ", merge.Conflicts)));
                 if (merge.Notes.Count > 0) throw new InputException(string.Join("; ", merge.Notes));
                 if (merge.Changes.Count > 0)
-                    Debug.Log(ConsoleLog.Prefix + SetupTexts.ManifestChanged(Manifest, string.Join("; ", merge.Changes), file.Write(merge.Text)));
+                    ConsoleLog.Info(null, SetupTexts.ManifestChanged(Manifest, string.Join("; ", merge.Changes), file.Write(merge.Text)));
                 Client.Resolve();
             }
             catch (Exception e) when (e is InputException || e is IOException || e is UnauthorizedAccessException)

@@ -6,7 +6,6 @@ using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Session;
 using Nowpose.Unity.Messages;
-using UnityEngine;
 using Object = UnityEngine.Object;
 
 namespace Nowpose.Unity.Session
@@ -46,24 +45,18 @@ namespace Nowpose.Unity.Session
             if (versions != null && versions != _versions) Warn(_versions = versions);
         }
 
-        /// <summary>
-        /// Logs a change of state. Allocates only for display times and for joints without data; the other messages are constants.
-        /// </summary>
+        /// <summary>Logs a change of state.</summary>
         /// <param name="session">The session; null if it has ended.</param>
         /// <param name="statistics">Statistics of the frame with the change; null if the session has ended.</param>
         public void Log(SessionChange change, CompensationSession session, SessionStatistics statistics)
         {
-            if ((change & SessionChange.Synchronised) != 0) Debug.Log(ConsoleLog.Prefix + SessionMessages.Synchronised, _context);
-            if ((change & SessionChange.Lost) != 0)
-                Debug.LogWarning(ConsoleLog.Prefix + SessionMessages.SynchronisationLost, _context);
-            if ((change & SessionChange.EnteredRange) != 0)
-                Debug.Log(ConsoleLog.Prefix + ReasonInside(statistics), _context);
-            if ((change & SessionChange.LeftRange) != 0)
-                Debug.LogWarning(ConsoleLog.Prefix + ReasonOutside(statistics), _context);
+            if ((change & SessionChange.Synchronised) != 0) Info(SessionMessages.Synchronised);
+            if ((change & SessionChange.Lost) != 0) Warn(SessionMessages.SynchronisationLost);
+            if ((change & SessionChange.EnteredRange) != 0) Info(ReasonInside(statistics));
+            if ((change & SessionChange.LeftRange) != 0) Warn(ReasonOutside(statistics));
             if ((change & SessionChange.DisplayTimeInconsistent) != 0) LogDifference(session, statistics);
             if ((change & SessionChange.DisplayTimeImplausible) != 0) Warn(DisplayMessages.ImplausibleTimes(session?.DisplayTimeAhead));
-            if ((change & SessionChange.DisplayTimePlausible) != 0)
-                Debug.Log(ConsoleLog.Prefix + SessionMessages.PlausibleAgain, _context);
+            if ((change & SessionChange.DisplayTimePlausible) != 0) Info(SessionMessages.PlausibleAgain);
             if ((change & SessionChange.Stale) != 0) Warn(SessionMessages.Stale(MissingJointsOf(statistics)));
         }
 
