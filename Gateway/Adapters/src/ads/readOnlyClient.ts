@@ -1,4 +1,4 @@
-import { ADS, type AdsCommandToSend, type AdsResponse, type AmsTcpPacket, Client } from 'ads-client';
+import { ADS, type AdsCommandToSend, type AdsResponse, type AmsAddress, type AmsTcpPacket, Client } from 'ads-client';
 import type { AdsEndpoint } from './endpoint';
 import { parseStream, type StampedSamples } from './stream';
 import { adsMessages } from '../messages/ads';
@@ -22,12 +22,17 @@ interface Hidden {
   parseAmsTcpPacket(data: Buffer): void;
   parseAdsNotification(data: Buffer): unknown;
   onPlcSymbolVersionChanged(data: Buffer | { value: Buffer }): void;
+  deleteNotificationHandle(handle: number, from: AmsAddress): Promise<unknown>;
 }
 
 /** An ADS client that cannot write to the PLC, keeps the full resolution of stamps, and closes the connection after an invalid frame. */
 export class ReadOnlyClient extends Client {
   /** Receives the notifications of each frame. */
   onSamples: (samples: StampedSamples[]) => void = () => {};
+  /** Number of subscriptions without a response. */
+  #subscribing = 0;
+  /** Deletions without a response, by handle, so that each further notification does not request the same deletion. */
+  readonly #deletions = new Map<number, Promise<unknown>>();
 
   constructor(endpoint: AdsEndpoint, local: { netId: string; port: number } | null) {
     super({
@@ -41,13 +46,17 @@ export class ReadOnlyClient extends Client {
       connectionCheckInterval: CHECK_MS,
       connectionDownDelay: DOWN_MS,
       hideConsoleWarnings: true,
-      // Keeps unknown subscriptions, because a notification may arrive before the response to its subscription.
-      deleteUnknownSubscriptions: false,
     });
     const hidden = this.#hidden;
     const parsed = hidden.parseAdsNotification.bind(this);
     const taken = hidden.parseAmsTcpPacket.bind(this);
     const received = hidden.handleReceivedData.bind(this);
+    const deleted = hidden.deleteNotificationHandle.bind(this);
+    hidden.deleteNotificationHandle = (handle, from) => {
+      const deletion = this.#deletions.get(handle) ?? deleted(handle, from).finally(() => this.#deletions.delete(handle));
+      this.#deletions.set(handle, deletion);
+      return deletion;
+    };
     hidden.parseAdsNotification = data => {
       this.onSamples(parseStream(data));
       return parsed(data);
@@ -82,7 +91,21 @@ export class ReadOnlyClient extends Client {
     const isReading =
       READING.includes(command.adsCommand) || (command.adsCommand === COMMAND.ReadWrite && LOOKING_UP.includes(command.payload!.readUInt32LE(0)));
     if (!isReading) throw new Error(adsMessages.wouldWrite(command.adsCommand));
-    return super.sendAdsCommand<T>(command);
+    if (command.adsCommand !== COMMAND.AddNotification) return super.sendAdsCommand<T>(command);
+    // ads-client deletes a notification with an unknown handle: a PLC keeps the notifications of a lost connection, and sends them to the next one.
+    // But the first notification of a subscription may arrive before the response that contains its handle.
+    this.#subscribing++;
+    this.settings.deleteUnknownSubscriptions = false;
+    return super.sendAdsCommand<T>(command).finally(() => {
+      this.settings.deleteUnknownSubscriptions = --this.#subscribing === 0;
+    });
+  }
+
+  /** Disconnects. Without `force`, first deletes all notifications at once; ads-client deletes each one after the response to the previous one. */
+  override async disconnect(force?: boolean): Promise<void> {
+    const all = force ? [] : Object.values(this.activeSubscriptions).flatMap(ofAddress => Object.values(ofAddress));
+    await Promise.allSettled(all.map(subscription => subscription.unsubscribe()));
+    return super.disconnect(force);
   }
 
   get #hidden(): Hidden {

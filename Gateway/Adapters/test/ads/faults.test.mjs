@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { once } from 'node:events';
 import { connect, createServer } from 'node:net';
 import { describe, it } from 'node:test';
+import { parts } from '../parts.mjs';
 import { start, startProcess, until } from '../program.mjs';
 import { RosbridgeDouble } from '../rosbridge.mjs';
 import { seeded } from '../seeded.mjs';
@@ -16,6 +17,7 @@ import { variables, youBot } from './youbot.mjs';
 import { ANY, like, messages } from '../messages.mjs';
 
 const { adsMessages, symbolMessages } = messages;
+const { ReadOnlyClient } = await parts('ads/readOnlyClient');
 
 describe('faults over ADS', { concurrency: 4 }, () => {
   it('Symbol_MissingInNewProgram_IsInFaultWhileOthersStayLive', async t => {
@@ -174,6 +176,46 @@ describe('faults over ADS', { concurrency: 4 }, () => {
     const count = bridge.jointStates.length;
     await statesOf(bridge, count + 5);
     await until(() => Number(bridge.state?.reconnects) > 0, () => JSON.stringify(bridge.state));
+  });
+
+  it('Adapter_ConnectionLost_DeletesTheNotificationsOfTheFormerConnection', async t => {
+    const { server, bridge } = await cell(t);
+    await statesOf(bridge);
+
+    // The client has two notifications of its own, and one may be reading the clock. The two of a former connection stay, because their values do not
+    // change, so that the PLC does not send them.
+    for (let lost = 1; lost <= 3; lost++) {
+      const before = Number(bridge.state.reconnects);
+      server.drop();
+      await until(() => Number(bridge.state.reconnects) > before && bridge.state.state === 'connected', () => JSON.stringify(bridge.state));
+      const most = 8 + 2 * Number(bridge.state.reconnects);
+      await until(() => server.notifications <= most, () => `${server.notifications} notifications instead of ${most}`);
+    }
+
+    const count = bridge.jointStates.length;
+    assertMatchesPlc((await statesOf(bridge, count + 20)).slice(count));
+  });
+
+  it('Client_Disconnect_DeletesAllNotificationsAtOnce', async t => {
+    const server = new AdsServer(youBot()), port = await server.listen();
+    t.after(() => server.close());
+    const client = new ReadOnlyClient({ host: '127.0.0.1', tcpPort: port, netId: NET_ID, port: 851 }, { netId: '192.168.0.10.1.1', port: 32905 });
+    await client.connect();
+    const { indexGroup, indexOffset, size } = await client.getSymbol('GVL.aJoints[0]');
+    for (let i = 0; i < 5; i++) await client.subscribe({ target: { indexGroup, indexOffset, size }, callback: () => {} });
+    // No deletion is confirmed before all have arrived.
+    const { notifications } = server, waiting = [];
+    client.settings.timeoutDelay = 1e9;
+    server.respond = (sent, send) => {
+      if (sent === command.deleteNotification) waiting.push(send);
+      else send();
+      if (waiting.length === notifications) for (const each of waiting) each();
+    };
+
+    const disconnected = client.disconnect();
+
+    await until(() => server.notifications === 0, () => `${server.notifications} notifications`);
+    await disconnected;
   });
 
   it('Adapter_PlcStopsAnswering_ReportsItAndReadsAgain', async t => {

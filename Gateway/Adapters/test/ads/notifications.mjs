@@ -8,7 +8,8 @@ export class Notifications {
   /** Times of the samples in each sent packet, with the memory offsets of their variables. */
   sent = [];
   #plc;
-  #send;
+  /** Sends a frame to the client. */
+  send;
   #entries = new Map();
   #waiting = [];
   #next = 1;
@@ -16,9 +17,8 @@ export class Notifications {
   #free = [];
   #timer;
 
-  constructor(plc, send) {
+  constructor(plc) {
     this.#plc = plc;
-    this.#send = send;
   }
 
   get count() {
@@ -92,7 +92,7 @@ export class Notifications {
       }));
       const { client, server } = samples[0].entry;
       this.sent.push(samples.map(({ time, entry }) => ({ time, offset: entry.indexOffset })));
-      this.#send(notificationFrame({ ...client, port: target }, server, stamps));
+      this.send(notificationFrame({ ...client, port: target }, server, stamps));
     }
   }
 }

@@ -13,7 +13,9 @@ const systemPort = 10000;
 export class AdsServer {
   #server = createServer(socket => this.#serve(socket));
   #sockets = new Set();
-  #downloaded = () => this.#sockets.forEach(s => s.notifications.invalidate());
+  /** The notifications of each AMS address. They stay if the connection ends, and continue on the next connection from the address. */
+  #notifications = new Map();
+  #downloaded = () => this.#notifications.forEach(each => each.invalidate());
   #handles = new Map();
   #nextPort = 32905;
   #connections = 0;
@@ -21,7 +23,7 @@ export class AdsServer {
   /**
    * `routes` are the AMS Net Ids of the accepted senders. The server closes the connection of any other sender, like TwinCAT without a route. `isSole`
    * means that a new connection ends the previous ones, like a TwinCAT router does with the connections of one machine.
-   * `maxNotifications` is the maximum number of notifications per connection.
+   * `maxNotifications` is the maximum number of notifications per AMS address.
    */
   constructor(plc, { netId = '5.24.12.7.1.1', routes, isSole = false, maxNotifications = Infinity } = {}) {
     this.plc = plc;
@@ -33,6 +35,8 @@ export class AdsServer {
     this.seen = [];
     /** While true, the server reads requests but does not respond to them. */
     this.silent = false;
+    /** Sends the response to a command. A test may replace it to send responses later. */
+    this.respond = (sent, send) => send();
     plc.downloaded.add(this.#downloaded);
   }
 
@@ -43,43 +47,46 @@ export class AdsServer {
   }
 
   get notifications() {
-    return [...this.#sockets].reduce((sum, s) => sum + s.notifications.count, 0);
+    return [...this.#notifications.values()].reduce((sum, { count }) => sum + count, 0);
   }
 
   /** Returns the times of the samples of a variable that each packet contains. Leaves out packets without a sample of the variable. */
   packetsOf(symbol) {
-    const packets = [...this.#sockets].flatMap(s => s.notifications.sent);
+    const packets = [...this.#notifications.values()].flatMap(({ sent }) => sent);
     return packets.map(samples => samples.filter(({ offset }) => offset === symbol.offset).map(({ time }) => time)).filter(times => times.length > 0);
   }
 
-  /** Closes all connections without a message, like a power failure. */
+  /** Closes all connections without a message, like an unplugged cable. */
+  drop() {
+    for (const socket of this.#sockets) socket.destroy();
+  }
+
+  /** Ends without a message, like a power failure. */
   async close() {
     this.plc.downloaded.delete(this.#downloaded);
-    for (const { socket } of this.#sockets) socket.destroy();
+    this.drop();
+    for (const each of this.#notifications.values()) each.close();
     if (this.#server.listening) await new Promise(resolve => this.#server.close(resolve));
   }
 
   #serve(socket) {
     const reader = new FrameReader();
-    if (this.isSole) for (const { socket: previous } of this.#sockets) previous.destroy();
-    const connection = { number: ++this.#connections, socket, notifications: new Notifications(this.plc, frame => socket.write(frame)) };
-    this.#sockets.add(connection);
+    if (this.isSole) this.drop();
+    const number = ++this.#connections;
+    this.#sockets.add(socket);
     socket.setNoDelay(true);
     socket.on('error', () => {});
-    socket.on('close', () => {
-      connection.notifications.close();
-      this.#sockets.delete(connection);
-    });
+    socket.on('close', () => this.#sockets.delete(socket));
     socket.on('data', bytes => {
       try {
-        for (const frame of reader.read(bytes)) this.#take(frame, connection);
+        for (const frame of reader.read(bytes)) this.#take(frame, number, socket);
       } catch {
         socket.destroy();
       }
     });
   }
 
-  #take({ kind, data }, { number, socket, notifications }) {
+  #take({ kind, data }, number, socket) {
     if (this.silent) return;
     if (kind === tcpCommand.openPort) {
       const port = Buffer.alloc(2);
@@ -91,9 +98,17 @@ export class AdsServer {
       const asked = parseAms(data);
       if (this.routes && !this.routes.includes(asked.source.netId)) return void socket.destroy();
       const code = this.#unreachable(asked.target);
-      const reply = code ? Buffer.alloc(0) : this.#reply(asked, notifications, number);
-      socket.write(answer(asked, reply, code));
+      const reply = code ? Buffer.alloc(0) : this.#reply(asked, this.#notificationsOf(asked.source, socket), number);
+      this.respond(asked.command, () => socket.write(answer(asked, reply, code)));
     }
+  }
+
+  /** Returns the notifications of an AMS address, which the PLC sends to its newest connection. */
+  #notificationsOf({ netId, port }, socket) {
+    const address = `${netId}:${port}`, found = this.#notifications.get(address) ?? new Notifications(this.plc);
+    found.send = frame => socket.write(frame);
+    this.#notifications.set(address, found);
+    return found;
   }
 
   #unreachable({ netId, port }) {
