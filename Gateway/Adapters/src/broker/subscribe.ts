@@ -15,7 +15,7 @@ import { brokerMessages, malformedMessages, syncMessages } from '../messages/bro
 /** Interval of the attempts to send signals and set-points that wait for the clock. */
 const CHECK_MS = 250;
 
-/** Time after which a retained presence that the publishing bridge has not repeated is no longer valid. The bridge repeats it every 2 s. */
+/** Time after which a presence that the publishing bridge has not repeated is no longer valid. The bridge repeats it every 2 s. */
 const MAX_SILENCE_MS = 6000;
 
 /** Maximum length of the name of a topic in the log. */
@@ -60,7 +60,7 @@ export async function subscribe(
   let absence = '';
   /** Whether the publishing bridge and its gateway are connected. */
   let isPresent = false;
-  /** Ends the trust in a retained presence. */
+  /** Ends the trust in the presence. */
   let expiry: NodeJS.Timeout | undefined;
   const broker = new BrokerLink(settings, configuration.plant.name, [...take.keys(), ...objects.topics, ALIVE], {
     opened: () => {
@@ -78,8 +78,8 @@ export async function subscribe(
       if (isPresent) showState();
       else status.enter('waiting', reason ?? absence);
     },
-    heard: (name, payload, isRetained) => {
-      if (name === ALIVE) return enter(payload.toString(), isRetained);
+    heard: (name, payload) => {
+      if (name === ALIVE) return enter(payload.toString());
       const known = take.get(name);
       // The message has been removed from the broker.
       if (payload.length === 0) return known === undefined ? objects.remove(name) : undefined;
@@ -91,12 +91,12 @@ export async function subscribe(
     malformed,
   });
 
-  function enter(presence: string, isRetained: boolean): void {
+  function enter(presence: string): void {
     clearTimeout(expiry);
     if (presence !== ('true' satisfies Presence))
       return withdraw(presence === ('no gateway' satisfies Presence) ? brokerMessages.gatewayAway : brokerMessages.bridgeAway);
-    // A broker that was off for some time still has the presence of a bridge that has not returned, and publishes no will for it.
-    if (isRetained) expiry = setTimeout(() => withdraw(brokerMessages.bridgeSilent(MAX_SILENCE_MS / 1000)), MAX_SILENCE_MS);
+    // No will arrives for a bridge that has not returned since the broker was off, or if another broker forwards its messages and is cut off.
+    expiry = setTimeout(() => withdraw(brokerMessages.bridgeSilent(MAX_SILENCE_MS / 1000)), MAX_SILENCE_MS);
     // Only once, because a state with a reason puts each joint and signal in fault until its next value.
     if (isPresent) return;
     isPresent = true;
