@@ -8,14 +8,17 @@ import { VirtualTime } from './virtualTime.mjs';
 const { READINGS_AT_ONCE, OfferedClock } = await parts('clock/clockStep', 'clock/offeredClock');
 const MS = 1_000_000n, T = 1_700_000_000_000n * MS + 4_321_700n;
 const NO_LIMIT = new AbortController().signal;
+const LATE = new Error('no response within 1.5 s');
 
 /** Creates a clock that is offered to a gateway, and read over a path of this length in each direction, with random delays of up to 1 ms more. */
-function clockOf(t, { stepNs, eachWayMs, seed, shownNs = 100n, servingMs = 0.02, wakesMs = 0, irregular = 1 }) {
+function clockOf(t, { stepNs, eachWayMs, seed, shownNs = 100n, servingMs = 0.02, wakesMs = 0, irregular = 1, atOnce = READINGS_AT_ONCE, isLate = () => false }) {
   const virtual = new VirtualTime(t), random = seeded(seed);
   // The server processes the requests one after the other, by default in 20 to 60 µs for each, and the responses arrive in the same order.
   let free = 0n, arrived = 0n, wake = 0n;
   const later = (time, ms) => time + BigInt(Math.round(ms * 1e6));
+  let count = 0;
   const read = async () => {
+    if (isLate(count++)) throw await virtual.until(virtual.now + 1500n * MS).then(() => LATE);
     const received = later(virtual.now, eachWayMs + random());
     while (wakesMs > 0 && wake < received) wake = later(wake, wakesMs * (1 + irregular * random()));
     if (wake > free) free = wake;
@@ -26,7 +29,7 @@ function clockOf(t, { stepNs, eachWayMs, seed, shownNs = 100n, servingMs = 0.02,
     return { received: time, sent: time };
   };
   const clock = new OfferedClock({ offer: () => {} }, 'cell', null, () => virtual.now);
-  return { clock, virtual, attach: () => virtual.run(clock.attach(read, NO_LIMIT, READINGS_AT_ONCE)), reading: () => virtual.run(clock.read()) };
+  return { clock, virtual, attach: () => virtual.run(clock.attach(read, NO_LIMIT, atOnce)), reading: () => virtual.run(clock.read()) };
 }
 
 describe('clock that is read slowly', () => {
@@ -80,6 +83,24 @@ describe('clock that is read slowly', () => {
       assert.equal(resolution, MS);
       assert.ok(errorBound <= MS, `${errorBound} ns`);
     });
+
+  // Simultaneous readings fail together.
+  for (const [atOnce, late] of [[1, [3, 7, 8]], [READINGS_AT_ONCE, [3, 7, 8, 9, 10, 40]]])
+    for (const seed of [1, 2, 3])
+      it(`Resolution_SomeReadingsOf${atOnce}AtOnceFail_IsTheStep (seed ${seed})`, async t => {
+        const { attach, reading } = clockOf(t, { stepNs: 10n * MS, eachWayMs: 1, seed, atOnce, isLate: i => late.includes(i) });
+        assert.equal(await attach(), true);
+
+        const { resolution, errorBound } = await reading();
+
+        assert.deepEqual([resolution, errorBound], [10n * MS, 0n]);
+      });
+
+  it('Resolution_ThreeReadingsInARowFail_IsNotMeasured', async t => {
+    const { attach } = clockOf(t, { stepNs: 4n * MS, eachWayMs: 1, seed: 1, atOnce: 1, isLate: i => i >= 3 && i <= 5 });
+
+    await assert.rejects(attach(), LATE);
+  });
 
   // The measurement is repeated every 20 s.
   for (const seed of [1, 2, 3])

@@ -52,6 +52,11 @@ export class ClockStep {
     this.#last = { time, asked, heard };
   }
 
+  /** Records that a reading has failed. The difference between the readings before and after it is not used, because it may be many steps. */
+  interrupt(): void {
+    this.#last = null;
+  }
+
   /** Pause before the next two readings, ms. */
   get pauseMs(): number {
     return this.#readings < MAX_READINGS ? PAUSE_MS : LONG_PAUSE_MS;

@@ -35,6 +35,9 @@ export const isClockStopped = (error: unknown): boolean => (error as Error | und
 /** Resolution at and above which a gateway no longer synchronises. With a resolution of 30 ms, the synchronisation takes two to three minutes. */
 const COARSE: Nanoseconds = 50n * NS_PER_MS;
 
+/** Number of consecutive failed readings that ends a resolution measurement. A slow connection delays some responses until after their timeout. */
+const MAX_FAILED = 3;
+
 /** Interval of the resolution measurements, which are needed because a gateway reads the time too rarely to detect standstills. */
 const MEASURE_EVERY: Nanoseconds = 20_000_000_000n;
 
@@ -189,9 +192,18 @@ export class OfferedClock {
   async #measureStep(read: ReadClock, stop: AbortSignal, first: Nanoseconds): Promise<void> {
     const step = new ClockStep(this.#atOnce > 1);
     const running: { asked: Nanoseconds; reading: Promise<void> }[] = [];
+    let failed: { count: number; at: Nanoseconds; error: unknown } | null = null;
     const observe = async (asked: Nanoseconds): Promise<void> => {
-      const { sent } = await this.#observed(read);
-      step.observe(sent, asked, this.counter());
+      try {
+        const { sent } = await this.#observed(read);
+        step.observe(sent, asked, this.counter());
+        failed = null;
+      } catch (error) {
+        step.interrupt();
+        // Readings that were requested before the last failure have failed with it.
+        if (failed === null || asked >= failed.at) failed = { count: (failed?.count ?? 0) + 1, at: this.counter(), error: failed?.error ?? error };
+        if (failed.count >= MAX_FAILED) throw failed.error;
+      }
     };
     for (let i = 1; !step.isMeasured(this.#resolution.isKnown) && !this.#resolution.isStopped && !stop.aborted; i++) {
       const asked = this.counter();
