@@ -84,7 +84,8 @@ export class MqttLink {
       const leave = (): void => {
         if (client.connected) this.events.leaving?.();
         client.end(false, {}, () => resolve('stopped'));
-        setTimeout(() => client.end(true), GOODBYE_MS).unref();
+        // A second call of end has no effect while the first one waits for the broker.
+        setTimeout(() => client.stream.destroy(), GOODBYE_MS).unref();
       };
       stop.addEventListener('abort', leave);
       client.on('connect', () => this.#open(client));

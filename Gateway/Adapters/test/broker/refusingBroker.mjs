@@ -2,7 +2,7 @@
 import { createServer } from 'node:net';
 
 const CONNECT = 1, PUBLISH = 3, SUBSCRIBE = 8, PING = 12, NOT_AUTHORISED = 0x87;
-const CONNACK = Buffer.of(0x20, 3, 0, 0, 0), PONG = Buffer.of(0xd0, 0);
+const connack = code => Buffer.of(0x20, 3, 0, code, 0), PONG = Buffer.of(0xd0, 0);
 
 export class RefusingBroker {
   refusals = 0;
@@ -10,6 +10,10 @@ export class RefusingBroker {
   refuses = () => true;
   /** Returns whether a message on a topic is refused. */
   refusesMessage = () => false;
+  /** Reason code of the response to a connection; 0 accepts it. */
+  connectCode = 0;
+  /** While true, the broker reads packets but does not respond to them. */
+  isSilent = false;
   /** Called with the topic and the connection after each subscription, and after the response unless there is none. */
   answered = () => {};
   /** Topics of all messages. */
@@ -40,7 +44,8 @@ export class RefusingBroker {
       while (received.length >= 2 && received.length >= 2 + received[1]) {
         const type = received[0] >> 4, body = received.subarray(2, 2 + received[1]);
         received = received.subarray(2 + received[1]);
-        if (type === CONNECT) socket.write(CONNACK);
+        if (this.isSilent) continue;
+        if (type === CONNECT) socket.write(connack(this.connectCode));
         if (type === PUBLISH) {
           const end = 2 + body.readUInt16BE(0), topic = body.subarray(2, end).toString();
           socket.write(Buffer.of(0x40, 3, body[end], body[end + 1], this.refusesMessage(topic) ? NOT_AUTHORISED : 0));
@@ -69,6 +74,6 @@ export class RefusingBroker {
 
   /** Sends a second CONNACK, after which a client ends the connection at once. */
   static violate(socket) {
-    socket.write(CONNACK);
+    socket.write(connack(0));
   }
 }

@@ -1,0 +1,41 @@
+// Tests how an MQTT link connects, subscribes and ends with a broker that refuses something or does not respond. No installed broker is needed.
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { RefusingBroker } from '../broker/refusingBroker.mjs';
+import { ANY, like, messages } from '../messages.mjs';
+import { parts } from '../parts.mjs';
+import { until } from '../program.mjs';
+
+const { brokerMessages } = messages;
+const { MqttLink } = await parts('mqtt/link');
+
+const USER = { name: 'hall', password: 'of-the-hall' };
+
+/** Interval in ms at which a link repeats refused subscriptions, and time for its goodbye. */
+const REPETITION_MS = 10_000, GOODBYE_MS = 500;
+
+/** Starts a link. `heard` has the calls of its events, as lists of the name and the arguments. */
+async function linkTo(t, broker, topics = [], { user = null, options, leaving } = {}) {
+  const ending = new AbortController(), heard = [];
+  const events = Object.fromEntries(['opened', 'away', 'refused', 'subscriptionRefused', 'heard', 'malformed'].map(name => [name, (...all) => heard.push([name, ...all])]));
+  const link = new MqttLink({ endpoint: broker.url, user, authority: null, userCertificate: null }, 'hall', topics, { ...events, leaving: () => leaving?.(link) }, options);
+  const cell = { heard, isEnded: false, stop: () => ending.abort(), named: name => heard.filter(([one]) => one === name) };
+  void link.run(ending.signal).then(() => { cell.isEnded = true; });
+  t.after(cell.stop);
+  return cell;
+}
+
+describe('mqtt link', () => {
+  it('Link_StoppedWhileTheBrokerDoesNotRespond_EndsAfterTheGoodbye', async t => {
+    const broker = await RefusingBroker.start(t), { mock } = t.mock.method(globalThis, 'setTimeout');
+    // Without pings, nothing else ends the connection.
+    const cell = await linkTo(t, broker, [], { options: { keepalive: 0 }, leaving: link => link.client.publish('alive', 'false', { qos: 1 }) });
+    await until(() => cell.named('opened').length > 0, 'the connection');
+    broker.isSilent = true;
+
+    cell.stop();
+    mock.calls.find(call => call.arguments[1] === GOODBYE_MS).arguments[0]();
+
+    await until(() => cell.isEnded, 'the end');
+  });
+});
