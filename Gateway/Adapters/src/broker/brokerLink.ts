@@ -1,6 +1,6 @@
 import { SendQueue } from '../gateway/sendQueue';
 import { MqttLink } from '../mqtt/link';
-import { Refusals } from './refusals';
+import { Refusals } from '../mqtt/refusals';
 import type { BrokerSettings } from './kind';
 import { brokerMessages } from '../messages/broker';
 
@@ -44,17 +44,15 @@ interface BrokerEvents {
 }
 
 /**
- * The connection of a bridge to the broker. Publishes retained messages again after each reconnection, and every 10 s those that the broker refuses. Also
- * repeats the subscriptions that the broker refuses. A publishing bridge also publishes its retained messages and its presence again when another
- * connection withdraws its presence: the former connection of this bridge, which the broker ends later than the bridge, or another bridge. Receivers
- * have then discarded the values that they had.
+ * The connection of a bridge to the broker. Publishes retained messages again after each reconnection, and every 10 s those that the broker refuses. A
+ * publishing bridge also publishes its retained messages and its presence again when another connection withdraws its presence: the former connection
+ * of this bridge, which the broker ends later than the bridge, or another bridge. Receivers have then discarded the values that they had.
  */
 export class BrokerLink {
   readonly #queue = new SendQueue<{ topic: string; payload: string }>();
   readonly #retained = new Map<string, string>();
   /** Topics whose newest retained message the broker refuses. */
   readonly #refused: Refusals;
-  readonly #unread: Refusals;
   readonly #link: MqttLink;
   #presence: Presence = 'no gateway';
 
@@ -69,10 +67,6 @@ export class BrokerLink {
       reason => events.messagesRefused?.(reason),
       names => this.#announce([...this.#retained].filter(([name]) => names.includes(name))),
     );
-    this.#unread = new Refusals(
-      reason => events.subscriptionRefused(reason),
-      topics => this.#link.subscribeAgain(topics),
-    );
     const bare = (topic: string): string => topic.slice(settings.topic.length + 1);
     this.#link = new MqttLink(
       settings.broker,
@@ -84,11 +78,10 @@ export class BrokerLink {
           if (this.#isPublishing) this.#keep(ALIVE, 'false');
         },
         away: (reason, wasOpen) => {
-          this.#forgetRefusals();
+          this.#refused.clear();
           events.away(reason, wasOpen);
         },
-        refused: (topic, reason) => this.#unread.judge(topic, reason),
-        accepted: topic => this.#unread.judge(topic, null),
+        subscriptionRefused: reason => events.subscriptionRefused(reason),
         heard: (topic, payload, isRetained) => {
           if (this.#isPublishing && bare(topic) === ALIVE) this.#announceAfter(payload.toString(), isRetained);
           else events.heard(bare(topic), payload, isRetained);
@@ -138,7 +131,7 @@ export class BrokerLink {
     const repetition = this.#isPublishing ? setInterval(() => this.#keep(ALIVE, this.#presence), PRESENT_EVERY_MS) : undefined;
     return this.#link.run(stop).finally(() => {
       clearInterval(repetition);
-      this.#forgetRefusals();
+      this.#refused.clear();
     });
   }
 
@@ -174,11 +167,6 @@ export class BrokerLink {
       // Does not store the refusal of a removal, because the bridge no longer has a message for this topic and would never delete the entry.
       this.#refused.judge(name, error && payload !== '' ? brokerMessages.publicationRefused(this.#at(name), error.message) : null);
     });
-  }
-
-  #forgetRefusals(): void {
-    this.#refused.clear();
-    this.#unread.clear();
   }
 
   #pump(): void {

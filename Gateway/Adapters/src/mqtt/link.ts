@@ -5,6 +5,7 @@ import { alertIn, isCertificateRefused, isOtherName, isUnknownHost, isUntrusted 
 import type { BrokerAddress } from './address';
 import { brokerMessages } from '../messages/broker';
 import { PacketLimit } from './packetLimit';
+import { Refusals } from './refusals';
 
 const KEEP_ALIVE_S = 3;
 const CONNECT_MS = 5000;
@@ -24,10 +25,10 @@ export interface MqttEvents {
    * @param wasOpen Whether it is a disconnection.
    */
   away(reason: string, wasOpen: boolean): void;
-  /** Called if the broker refuses the subscription to a topic. */
-  refused(topic: string, reason: string): void;
-  /** Called if the broker accepts the subscription to a topic. */
-  accepted?(topic: string): void;
+  /** Called if the broker refuses the subscription to a topic. The link tries it again. */
+  refused?(topic: string, reason: string): void;
+  /** Called when the reason changes for which the broker refuses a subscription. It is the reason of the first refused topic; null if there is none. */
+  subscriptionRefused?(reason: string | null): void;
   /**
    * Called for each message.
    * @param isRetained Whether the message is a retained one, which the broker had before the subscription.
@@ -43,6 +44,10 @@ export class MqttLink {
   /** Whether the last attempt has established a connection. */
   #wasOpen = false;
   #version: 4 | 5 = 5;
+  readonly #refusals = new Refusals(
+    reason => this.events.subscriptionRefused?.(reason),
+    topics => this.subscribeAgain(topics),
+  );
 
   /**
    * @param name Name of the plant, used in the client identifier.
@@ -66,7 +71,7 @@ export class MqttLink {
   run(stop: AbortSignal): Promise<void> {
     return reconnecting(
       stop,
-      () => this.#connect(stop),
+      () => this.#connect(stop).finally(() => this.#refusals.clear()),
       reason => this.events.away(reason, this.#wasOpen),
     );
   }
@@ -153,8 +158,10 @@ export class MqttLink {
       const subscription = Object.assign({ [topic]: { qos: 1 as const, nl: true } }, { resubscribe: true });
       client.subscribe(subscription, (error, _, response) => {
         // Ignores the error of a subscription without a response, which fails because the connection ends.
-        if (!error) this.events.accepted?.(topic);
-        else if (response !== undefined) this.events.refused(topic, brokerMessages.subscriptionRefused(topic, error.message));
+        if (error && response === undefined) return;
+        const reason = error ? brokerMessages.subscriptionRefused(topic, error.message) : null;
+        if (reason !== null) this.events.refused?.(topic, reason);
+        this.#refusals.judge(topic, reason);
       });
     }
   }

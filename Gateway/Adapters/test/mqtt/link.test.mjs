@@ -26,6 +26,25 @@ async function linkTo(t, broker, topics = [], { user = null, options, leaving } 
 }
 
 describe('mqtt link', () => {
+  it('Subscription_RefusedThenAccepted_IsRepeatedUntilItIsAccepted', async t => {
+    const broker = await RefusingBroker.start(t), { mock } = t.mock.method(globalThis, 'setInterval'), asked = [];
+    const repeat = () => mock.calls.filter(call => call.arguments[1] === REPETITION_MS).forEach(call => call.arguments[0]());
+    broker.refuses = topic => topic === 'b';
+    broker.answered = topic => asked.push(topic);
+    const cell = await linkTo(t, broker, ['a', 'b']);
+    const isRefused = () => cell.named('subscriptionRefused').at(-1)?.[1] ?? null;
+    await until(() => isRefused() !== null && asked.length === 2, () => JSON.stringify(cell.heard));
+
+    repeat();
+    await until(() => cell.named('refused').length === 2, () => JSON.stringify(cell.heard));
+    broker.refuses = () => false;
+    repeat();
+    await until(() => isRefused() === null, () => JSON.stringify(cell.heard));
+
+    assert.deepEqual(asked, ['a', 'b', 'b', 'b']);
+    assert.deepEqual([...new Set(cell.named('refused').map(([, topic]) => topic))], ['b']);
+  });
+
   it('Link_StoppedWhileTheBrokerDoesNotRespond_EndsAfterTheGoodbye', async t => {
     const broker = await RefusingBroker.start(t), { mock } = t.mock.method(globalThis, 'setTimeout');
     // Without pings, nothing else ends the connection.
