@@ -2,6 +2,10 @@ const FIRST_MS = 200;
 const MAX_MS = 1500;
 const VARIATION = 0.2;
 
+/** Limits of the delays after a refusal of user and password, because many servers lock the account after several attempts with a wrong password. */
+const LOGIN_FIRST_MS = 30_000;
+const LOGIN_MAX_MS = 300_000;
+
 /** Maximum length of an attempt that does not reset the delays. */
 const STEADY_MS = 2000;
 
@@ -10,18 +14,24 @@ const STEADY_MS = 2000;
  * same time.
  */
 export class Backoff {
-  #next = FIRST_MS;
+  #next: number;
 
-  constructor(readonly random: () => number = Math.random) {}
+  constructor(
+    readonly random: () => number = Math.random,
+    readonly firstMs = FIRST_MS,
+    readonly maxMs = MAX_MS,
+  ) {
+    this.#next = firstMs;
+  }
 
   next(): number {
     const wait = this.#next;
-    this.#next = Math.min(2 * wait, MAX_MS);
+    this.#next = Math.min(2 * wait, this.maxMs);
     return wait * (1 + VARIATION * (2 * this.random() - 1));
   }
 
   reset(): void {
-    this.#next = FIRST_MS;
+    this.#next = this.firstMs;
   }
 }
 
@@ -31,21 +41,26 @@ export class Backoff {
  * @param attempt Connects, and resolves when the connection has ended or could not be established.
  * @param ended Called with the result of each attempt, unless the signal ended it.
  * @param again Called after each delay.
+ * @param isLoginRefused Whether the server has refused user and password, so that the next attempt must wait longer.
  */
 export async function reconnecting<T>(
   stop: AbortSignal,
   attempt: () => Promise<T>,
   ended: (result: T) => void,
   again = (): void => {},
+  isLoginRefused: (result: T) => boolean = () => false,
 ): Promise<void> {
   const backoff = new Backoff();
+  const logins = new Backoff(Math.random, LOGIN_FIRST_MS, LOGIN_MAX_MS);
   while (!stop.aborted) {
     const began = performance.now();
     const result = await attempt();
     if (stop.aborted) return;
     ended(result);
     if (performance.now() - began > STEADY_MS) backoff.reset();
-    await pause(backoff.next(), stop);
+    const isRefused = isLoginRefused(result);
+    if (!isRefused) logins.reset();
+    await pause((isRefused ? logins : backoff).next(), stop);
     again();
   }
 }

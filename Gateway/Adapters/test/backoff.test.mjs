@@ -21,7 +21,7 @@ describe('backoff', () => {
 
 describe('reconnecting', () => {
   /** Makes connections of the given lengths in ms in virtual time. The signal is aborted during the connection after them. */
-  async function connections(t, lengths) {
+  async function connections(t, lengths, isLoginRefused) {
     const stop = new AbortController(), rest = [...lengths], cell = { waits: [], ended: [], again: 0 };
     let now = 0;
     t.mock.method(Math, 'random', () => 0.5);
@@ -35,7 +35,7 @@ describe('reconnecting', () => {
       else now += rest[0];
       return rest.shift();
     };
-    await reconnecting(stop.signal, connect, length => cell.ended.push(length), () => cell.again++);
+    await reconnecting(stop.signal, connect, length => cell.ended.push(length), () => cell.again++, isLoginRefused);
     return cell;
   }
 
@@ -51,6 +51,12 @@ describe('reconnecting', () => {
     const { ended, again } = await connections(t, [1, 2]);
 
     assert.deepEqual([ended, again], [[1, 2], 2]);
+  });
+
+  it('Login_Refused_IsRepeatedAfter30SecondsTo5Minutes', async t => {
+    const { waits } = await connections(t, [1, 1, 1, 1, 1, 1, 0, 1], length => length === 1);
+
+    assert.deepEqual(waits, [30_000, 60_000, 120_000, 240_000, 300_000, 300_000, 200, 30_000]);
   });
 
   it('Signal_AbortedDuringADelay_EndsItAndTheAttempts', async t => {

@@ -1,3 +1,5 @@
+import { laterLogin } from './gateway';
+
 /** Error messages about a configuration of kind broker, and the parts of its summary. */
 export const brokerSettingMessages = {
   publishing: (gateway: string, endpoint: string, topic: string) => `from ${gateway} to broker ${endpoint}, topics ${topic}/…`,
@@ -23,7 +25,8 @@ export const brokerMessages = {
     `the broker refuses to let this bridge read ${topic}/…, so signals and objects of an earlier run may stay there; give its user the right to read`,
   refuses: (endpoint: string) => `${endpoint} refuses the connection; check that the broker is running, and check the port in plant.endpoint`,
   refusesWith: (endpoint: string, reason: string) => `the broker at ${endpoint} responds: ${reason}; check the broker's log and limits`,
-  loginRefused: (endpoint: string) => `${endpoint} refuses the login; check plant.user, and the user's rights on the broker`,
+  loginRefused: (endpoint: string) => `${endpoint} refuses the login; check plant.user, and the user's rights on the broker; ${laterLogin}`,
+  anonymousRefused: (endpoint: string) => `${endpoint} refuses a login without a user; set plant.user`,
   unknownHost: (endpoint: string) => `the host name in ${endpoint} is unknown; correct plant.endpoint`,
   noMqtt5: (endpoint: string) => `${endpoint} does not support MQTT 5; enable it in the broker, or update the broker`,
   noBroker: (endpoint: string, problem: string) =>

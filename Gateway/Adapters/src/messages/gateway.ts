@@ -36,6 +36,10 @@ export const gatewayMessages = {
     `the gateway has version ${version}, but this adapter has version ${own}; install the same version of both`,
 };
 
+/** Ends the message about a refusal of user and password. */
+export const laterLogin =
+  'the adapter tries again after 30 s, later every 5 min, so that the account is not locked; restart the adapter to try at once';
+
 /** Messages about the clock of a plant. */
 export const clockMessages = {
   stopped: 'the clock does not advance',

@@ -1,4 +1,5 @@
 import { wrongValue } from './configuration';
+import { laterLogin } from './gateway';
 
 /** Error messages about a configuration of kind opcua. */
 export const opcuaSettingMessages = {
@@ -77,7 +78,7 @@ export const opcuaRefusalMessages = {
   adapterNotTrusted: (status: string, file: string, thumbprint: string) =>
     `the server does not trust this adapter (${status}); accept the certificate ${file}, thumbprint ${thumbprint}, on the server`,
   user: (name: string) =>
-    `the server does not accept the user ${name}; check name and password in plant.user, and the rights of this user on the server`,
+    `the server does not accept the user ${name}; check name and password in plant.user, and the rights of this user on the server; ${laterLogin}`,
   anonymous: 'the server does not accept an anonymous user or this certificate; set plant.user to a user with read access',
   noOpenEndpoint: 'the server offers no connection without security; remove plant.security.mode',
   noPolicy: (policy: string) =>

@@ -43,6 +43,8 @@ export class MqttLink {
   #client: MqttClient | null = null;
   /** Whether the last attempt has established a connection. */
   #wasOpen = false;
+  /** Whether the broker has refused user and password in the last attempt. */
+  #isLoginRefused = false;
   #version: 4 | 5 = 5;
   readonly #refusals = new Refusals(
     reason => this.events.subscriptionRefused?.(reason),
@@ -73,6 +75,8 @@ export class MqttLink {
       stop,
       () => this.#connect(stop).finally(() => this.#refusals.clear()),
       reason => this.events.away(reason, this.#wasOpen),
+      () => {},
+      () => this.#isLoginRefused,
     );
   }
 
@@ -109,9 +113,10 @@ export class MqttLink {
         stop.removeEventListener('abort', leave);
         this.#client = null;
         client.end(true);
+        this.#isLoginRefused = this.broker.user !== null && isLoginRefused(failure);
         const usesOther = isVersionRefused(failure) && !this.needsMqtt5 && this.#version === 5 && !stop.aborted;
         if (usesOther) this.#version = 4;
-        resolve(usesOther ? this.#connect(stop) : inWords(failure, this.broker.endpoint, this.#wasOpen, this.#version));
+        resolve(usesOther ? this.#connect(stop) : inWords(failure, this.broker, this.#wasOpen, this.#version));
       });
     });
   }
@@ -171,19 +176,20 @@ export class MqttLink {
 const LOGIN_REFUSED = [134, 135, 4, 5];
 const VERSION_REFUSED = [132, 1];
 
+const isLoginRefused = (failure: { code?: string | number } | null): boolean => LOGIN_REFUSED.includes(failure?.code as number);
 const isVersionRefused = (failure: { code?: string | number } | null): boolean => VERSION_REFUSED.includes(failure?.code as number);
 
 /**
  * @param wasOpen Whether the connection was established.
  * @param version Version of MQTT that was requested, 4 for 3.1.1.
  */
-function inWords(failure: (Error & { code?: string | number }) | null, endpoint: string, wasOpen: boolean, version: 4 | 5): string {
+function inWords(failure: (Error & { code?: string | number }) | null, { endpoint, user }: BrokerAddress, wasOpen: boolean, version: 4 | 5): string {
   const { code, message = '' } = failure ?? {};
   if (/^(keepalive|connack) timeout$/i.test(message)) return brokerMessages.silent(endpoint);
   if (wasOpen) return failure === null || /^(read|write) (ECONNRESET|EPIPE)$/.test(message) ? brokerMessages.closed : message;
   if (code === 'ECONNREFUSED') return brokerMessages.refuses(endpoint);
   if (isUnknownHost(code)) return brokerMessages.unknownHost(endpoint);
-  if (LOGIN_REFUSED.includes(code as number)) return brokerMessages.loginRefused(endpoint);
+  if (isLoginRefused(failure)) return (user === null ? brokerMessages.anonymousRefused : brokerMessages.loginRefused)(endpoint);
   if (isVersionRefused(failure) && version === 5) return brokerMessages.noMqtt5(endpoint);
   if (typeof code === 'number') return brokerMessages.refusesWith(endpoint, message);
   if (isOtherName(code)) return brokerMessages.otherHost(endpoint);

@@ -39,9 +39,11 @@ export async function run(context: AdapterContext<OpcUaSettings>): Promise<void>
   await reconnecting(
     stopping,
     () => attempt(context, settings, own, trust, reader),
-    wasConnected => {
+    ({ wasConnected }) => {
       if (wasConnected) status.reconnected();
     },
+    () => {},
+    ({ isLoginRefused }) => isLoginRefused,
   );
 }
 
@@ -60,14 +62,17 @@ async function certificateOf({ status, stopping }: AdapterContext, { security }:
   return null;
 }
 
-/** Uses one connection until it ends, and reports the reason why it ended in the status. Returns whether the connection was established. */
+/**
+ * Uses one connection until it ends, and reports the reason why it ended in the status. Returns whether the connection was established, and whether the
+ * server has refused user and password.
+ */
 async function attempt(
   context: AdapterContext,
   settings: OpcUaSettings,
   own: OwnCertificate,
   trust: TrustList,
   reader: NotificationReader,
-): Promise<boolean> {
+): Promise<{ wasConnected: boolean; isLoginRefused: boolean }> {
   const { status, stopping } = context;
   const { map } = reader;
   const session = new ReadOnlySession(settings, own, trust);
@@ -75,7 +80,8 @@ async function attempt(
   status.enter('connecting');
   const stop = (): void => void session.close();
   stopping.addEventListener('abort', stop);
-  let isConnected = false;
+  let wasConnected = false;
+  let isLoginRefused = false;
   try {
     await session.open(identity(settings));
     const { ids: nodes, lost } = await idsOf(session, map);
@@ -114,7 +120,7 @@ async function attempt(
       status.notice(hasPositions ? slownessOf(settings, monitoring) : null, 'server intervals');
     }
     status.detail('publishing_ms', monitoring.publishingMs);
-    isConnected = true;
+    wasConnected = true;
     status.enter('connected');
     // Does not wait, because a server may not answer this request.
     const ids = new Map(map.valueNodes.map((node, i) => [node, nodes[i]]));
@@ -133,13 +139,14 @@ async function attempt(
     if (!stopping.aborted) status.enter('waiting', reason);
   } catch (error) {
     const trouble = refusalOf(error as Error, trust, settings, own);
+    isLoginRefused = trouble.isLoginRefused === true;
     if (!stopping.aborted) status.enter(trouble.isRefusal ? 'refused' : 'waiting', trouble.text);
   } finally {
     stopping.removeEventListener('abort', stop);
     await session.close();
     context.clock.detach();
   }
-  return isConnected;
+  return { wasConnected, isLoginRefused };
 }
 
 /** Gets the notice that the server samples or sends too rarely, although the configuration requests shorter intervals; null if it does not. */

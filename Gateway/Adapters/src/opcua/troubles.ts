@@ -8,8 +8,12 @@ export class Refused extends Error {}
 
 interface Trouble {
   isRefusal: boolean;
+  /** Whether the server refuses user and password. Further attempts must then wait, because they may lock the account. */
+  isLoginRefused?: boolean;
   text: string;
 }
+
+const LOGIN_REFUSED = /BadIdentityTokenRejected|BadUserAccessDenied/;
 
 /** Patterns of errors, and functions that get the reason with the remedy. `status` is the text that matches the pattern. */
 const CURES: [RegExp, (settings: OpcUaSettings, own: OwnCertificate, status: string) => string][] = [
@@ -18,7 +22,7 @@ const CURES: [RegExp, (settings: OpcUaSettings, own: OwnCertificate, status: str
     /BadSecurityChecksFailed|BadCertificate\w*|BadSecurityModeRejected/,
     (_, own, status) => opcuaRefusalMessages.adapterNotTrusted(status, own.file, thumbprints(own.getCertificate()).sha1),
   ],
-  [/BadIdentityTokenRejected|BadUserAccessDenied/, ({ user }) => (user ? opcuaRefusalMessages.user(user.name) : opcuaRefusalMessages.anonymous)],
+  [LOGIN_REFUSED, ({ user }) => (user ? opcuaRefusalMessages.user(user.name) : opcuaRefusalMessages.anonymous)],
   [
     /cannot find an? endpoint|end point must exist/i,
     ({ security }) => (security.mode === 'none' ? opcuaRefusalMessages.noOpenEndpoint : opcuaRefusalMessages.noPolicy(security.policy)),
@@ -33,7 +37,8 @@ export function refusalOf(error: Error, trust: TrustList, settings: OpcUaSetting
   if (trust.refusal !== null) return { isRefusal: true, text: trust.refusal };
   for (const [pattern, textOf] of CURES) {
     const status = pattern.exec(error.message)?.[0];
-    if (status !== undefined) return { isRefusal: true, text: textOf(settings, own, status) };
+    if (status === undefined) continue;
+    return { isRefusal: true, isLoginRefused: pattern === LOGIN_REFUSED && settings.user !== null, text: textOf(settings, own, status) };
   }
   return { isRefusal: false, text: isAway(error) ? opcuaMessages.noServer(settings.endpoint) : requestTrouble(error) };
 }

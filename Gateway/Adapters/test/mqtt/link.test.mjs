@@ -26,6 +26,23 @@ async function linkTo(t, broker, topics = [], { user = null, options, leaving } 
 }
 
 describe('mqtt link', () => {
+  for (const [name, user, code, minMs] of [
+    ['WrongPassword', USER, 134, 24_000], ['NotAuthorised', USER, 135, 24_000], ['WithoutUser', null, 135, 160], ['OtherRefusal', USER, 136, 160],
+  ])
+    it(`Login_${name}_NextAttemptIsAfterAtLeast${minMs}ms`, async t => {
+      const broker = await RefusingBroker.start(t), { mock } = t.mock.method(globalThis, 'setTimeout');
+      broker.connectCode = code;
+      const cell = await linkTo(t, broker, [], { user });
+
+      await until(() => cell.named('away').length > 0, 'the refusal');
+
+      const [[, reason]] = cell.named('away'), { loginRefused, anonymousRefused, refusesWith } = brokerMessages;
+      const expected = code === 136 ? refusesWith(broker.url, ANY) : (user === null ? anonymousRefused : loginRefused)(broker.url);
+      assert.match(reason, like(expected));
+      // The delay varies by 20 %.
+      await until(() => mock.calls.some(({ arguments: [, ms] }) => ms >= minMs && ms <= 1.5 * minMs), 'the delay');
+    });
+
   it('Subscription_RefusedThenAccepted_IsRepeatedUntilItIsAccepted', async t => {
     const broker = await RefusingBroker.start(t), { mock } = t.mock.method(globalThis, 'setInterval'), asked = [];
     const repeat = () => mock.calls.filter(call => call.arguments[1] === REPETITION_MS).forEach(call => call.arguments[0]());

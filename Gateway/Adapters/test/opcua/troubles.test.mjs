@@ -24,6 +24,16 @@ describe('troubles of an OPC UA connection', () => {
       assert.ok(isRefusal && text.includes(`(${status})`), text);
     });
 
+  for (const [status, user, expected] of [
+    ['BadIdentityTokenRejected', { name: 'me' }, true], ['BadUserAccessDenied', { name: 'me' }, true], ['BadUserAccessDenied', null, false],
+    ['BadCertificateUntrusted', { name: 'me' }, false],
+  ])
+    it(`Login_${status}${user === null ? 'WithoutUser' : ''}_Is${expected ? '' : 'No'}RefusalOfUserAndPassword`, () => {
+      const { isRefusal, isLoginRefused } = refusalOf(new Error(status), { refusal: null }, { user }, own);
+
+      assert.deepEqual([isRefusal, isLoginRefused], [true, expected]);
+    });
+
   for (const [name, message, isAway] of [
     ['RejectedWithAStatus', 'The connection has been rejected by server: BadTcpServerTooBusy (0x807d0000)', false],
     ['RejectedWithoutAStatus', 'The connection may have been rejected by server,\n Err = (premature disconnection 2)', true],
