@@ -1,3 +1,5 @@
+import { afterArrivals } from './sockets';
+
 const FIRST_MS = 200;
 const MAX_MS = 1500;
 const VARIATION = 0.2;
@@ -65,16 +67,16 @@ export async function reconnecting<T>(
   }
 }
 
-/** Resolves after a time in ms, or as soon as the signal is aborted. */
+/** Resolves after a time in ms and after the data that have arrived by then (`afterArrivals`), or as soon as the signal is aborted. */
 export function pause(ms: number, stop: AbortSignal): Promise<void> {
   return new Promise(resolve => {
     if (stop.aborted) return resolve();
     const end = (): void => {
-      clearTimeout(timer);
+      cancel();
       stop.removeEventListener('abort', end);
       resolve();
     };
-    const timer = setTimeout(end, ms);
+    const cancel = afterArrivals(ms, end);
     stop.addEventListener('abort', end);
   });
 }

@@ -2,6 +2,22 @@ import { once } from 'node:events';
 import type { Socket } from 'node:net';
 
 /**
+ * Calls a function after a time in ms, and after the data that have arrived by then: after a pause of this process, such as a snapshot of a virtual
+ * machine, Node.js calls the functions of timers before it reads the sockets.
+ * @returns A function that cancels the call.
+ */
+export function afterArrivals(ms: number, then: () => void): () => void {
+  let waiting: NodeJS.Immediate | undefined;
+  const timer = setTimeout(() => {
+    waiting = setImmediate(then);
+  }, ms);
+  return () => {
+    clearTimeout(timer);
+    clearImmediate(waiting);
+  };
+}
+
+/**
  * Waits until a new socket is connected, and destroys it if it fails.
  * @param event Event after which the socket can be used.
  * @param stop Ends the wait when it is aborted.

@@ -2,6 +2,7 @@ import type { ActiveSubscription, AdsSymbol } from 'ads-client';
 import { READINGS_AT_ONCE } from '../clock/clockStep';
 import type { ClockReading } from '../clock/offeredClock';
 import type { TimeUnit } from '../samples/timeUnit';
+import { afterArrivals } from '../sockets';
 import { ofFileTime } from '../times';
 import { timeOf } from './decoding';
 import type { ReadOnlyClient } from './readOnlyClient';
@@ -93,9 +94,9 @@ export class NotificationTime implements PlcTime {
     if (this.#asking === 0) this.#early.clear();
     if (early !== undefined) return Promise.resolve(early);
     return new Promise((resolve, reject) => {
-      const timer = setTimeout(() => reject(new Error(adsMessages.noNotification(MAX_WAIT_MS))), MAX_WAIT_MS);
+      const cancel = afterArrivals(MAX_WAIT_MS, () => reject(new Error(adsMessages.noNotification(MAX_WAIT_MS))));
       this.#waiting.set(handle, stamp => {
-        clearTimeout(timer);
+        cancel();
         resolve(stamp);
       });
     });

@@ -2,7 +2,7 @@ import { connect, type Socket } from 'node:net';
 import { connect as connectSecurely, type TLSSocket } from 'node:tls';
 import type { ClockReading } from '../clock/offeredClock';
 import { pinProblem } from '../gateway/pin';
-import { opened } from '../sockets';
+import { afterArrivals, opened } from '../sockets';
 import { monotonicTime, type Nanoseconds } from '../times';
 import { placeOf, type Upstream } from './kind';
 import { FRAME, isAccepted, parseReply, type Reply, request, tokenRequest } from './syncFrame';
@@ -79,12 +79,12 @@ export class SyncClient {
     if (this.socket.destroyed) return Promise.reject(new Error(syncMessages.connectionClosed));
     if (this.#waiting !== null) return Promise.reject(new Error(syncMessages.busy));
     return new Promise<Buffer>((resolve, reject) => {
-      const timer = setTimeout(() => {
+      const cancel = afterArrivals(ANSWER_MS, () => {
         this.close();
         reject(new Error(syncMessages.noAnswer(ANSWER_MS / 1000)));
-      }, ANSWER_MS);
+      });
       const end = (): void => {
-        clearTimeout(timer);
+        cancel();
         this.#waiting = this.#fail = null;
       };
       this.#waiting = frame => {

@@ -1,4 +1,5 @@
 import { gatewayMessages } from '../messages/gateway';
+import { afterArrivals } from '../sockets';
 import { text } from './messages';
 
 type Message = Record<string, unknown>;
@@ -47,12 +48,11 @@ export class Calls {
   async call(service: string): Promise<Message> {
     const id = `${service} ${++this.#called}`;
     const began = this.now();
-    // After a pause of this process, the timer runs before the responses that have arrived are read. They are read before setImmediate continues.
-    const timer = setTimeout(() => setImmediate(() => this.#miss(id, service, began)), CALL_MS);
+    const cancel = afterArrivals(CALL_MS, () => this.#miss(id, service, began));
     const answer = await new Promise<Message>((resolve, reject) => {
       this.#waiting.set(id, { resolve, reject });
       this.send(JSON.stringify({ op: 'call_service', id, service, args: {} }));
-    }).finally(() => clearTimeout(timer));
+    }).finally(cancel);
     if (answer.result === false) throw new Error(`${service}: ${text(answer.values)}`);
     return answer.values as Message;
   }

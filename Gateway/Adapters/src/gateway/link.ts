@@ -177,14 +177,15 @@ export class GatewayLink {
         reason = text;
         socket.terminate();
       };
-      const beat = setInterval(() => {
-        if (performance.now() - heard > SILENCE_MS) {
-          this.#abandon(gatewayMessages.silent(SILENCE_MS / 1000));
-        } else if (socket.readyState === WebSocket.OPEN) {
+      // After a pause of this process, the messages that have arrived are read before setImmediate continues.
+      const beat = setInterval(() => setImmediate(check), PING_MS);
+      const check = (): void => {
+        if (performance.now() - heard > SILENCE_MS) this.#abandon(gatewayMessages.silent(SILENCE_MS / 1000));
+        else if (socket.readyState === WebSocket.OPEN) {
           socket.ping();
           this.#offerAgain();
         }
-      }, PING_MS);
+      };
       const repetition = setInterval(() => {
         this.#kept.repeatRefused();
         this.#pump();

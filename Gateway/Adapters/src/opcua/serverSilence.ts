@@ -1,5 +1,6 @@
 import { isClockStopped, type OfferedClock } from '../clock/offeredClock';
 import { SILENT_MS } from '../samples/silentValues';
+import { afterArrivals } from '../sockets';
 import type { Nanoseconds } from '../times';
 import { clockMessages } from '../messages/gateway';
 import { requestTrouble } from './troubles';
@@ -52,7 +53,7 @@ export class ServerSilence {
       isOver = true;
     });
     while (!isOver) {
-      await new Promise(resolve => setTimeout(resolve, QUIET_LOOK_MS));
+      await new Promise<void>(resolve => void afterArrivals(QUIET_LOOK_MS, resolve));
       if (performance.now() - this.#heard > longest) return opcuaMessages.silent(longest / 1000);
       // Frequent notifications confirm the values at rest, too.
       const isQuiet = performance.now() - this.#valued >= SILENT_MS && hasSilent();

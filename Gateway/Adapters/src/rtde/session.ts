@@ -2,6 +2,7 @@ import type { AdapterContext } from '../adapter';
 import { pause } from '../backoff';
 import { monotonicTime, type Nanoseconds, ofMilliseconds } from '../times';
 import { ofFraction } from '../samples/timeUnit';
+import { afterArrivals } from '../sockets';
 import { at, RefusalError, RtdeConnection } from './connection';
 import { controllerVersion, protocolVersion, type RtdePackage, setUpOutputs, start, textOf, TYPE } from './packages';
 import { CycleOutput } from './cycleOutput';
@@ -133,12 +134,12 @@ export class RtdeSession {
   async #ask(request: Buffer, type: number, ms: number, answered: (asked: Nanoseconds) => void = () => {}): Promise<Buffer | null> {
     const asked = monotonicTime();
     const answer = new Promise<Buffer | null>(resolve => {
-      const late = setTimeout(() => resolve(null), ms);
-      this.#over.signal.addEventListener('abort', () => clearTimeout(late));
+      const cancel = afterArrivals(ms, () => resolve(null));
+      this.#over.signal.addEventListener('abort', cancel);
       this.#awaited = {
         type,
         take: (payload, arrived) => {
-          clearTimeout(late);
+          cancel();
           const roundTrip = arrived - asked;
           if (this.#roundTrip === null || roundTrip < this.#roundTrip) this.#roundTrip = roundTrip;
           answered(asked);
