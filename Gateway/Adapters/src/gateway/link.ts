@@ -6,7 +6,7 @@ import { Calls } from './calls';
 import { KeptMessages, REFUSED_EVERY_MS } from './keptMessages';
 import { advertisement, parsed, publication, text, typeOf } from './messages';
 import { agentFor } from './pin';
-import { inWords, refusalInWords } from './reasons';
+import { inWords, MAX_MESSAGE, refusalInWords } from './reasons';
 import { SendQueue } from './sendQueue';
 import { StatusMessages } from './statusMessages';
 import { Subscriptions } from './subscriptions';
@@ -15,7 +15,6 @@ import { gatewayMessages } from '../messages/gateway';
 const HANDSHAKE_MS = 5000;
 const PING_MS = 2000;
 const SILENCE_MS = 6000;
-const MAX_MESSAGE = 2 * 1024 * 1024;
 
 /** Time without a request after which the offer of a service is repeated, because the gateway may have refused it. */
 const OFFER_MS = 5000;

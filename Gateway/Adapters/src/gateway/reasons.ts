@@ -6,6 +6,9 @@ import { WrongKeyError } from './pin';
 /** HTTP statuses with which a gateway refuses a token: the second one after many wrong tokens within a minute. */
 const REFUSED_TOKEN = [401, 429];
 
+/** Maximum length of a message in bytes. */
+export const MAX_MESSAGE = 2 * 1024 ** 2;
+
 const RESET = ['ECONNRESET', 'EPIPE'];
 
 /**
@@ -15,6 +18,7 @@ const RESET = ['ECONNRESET', 'EPIPE'];
  */
 export function inWords(error: Error, name: string, wasOpen: boolean): string {
   const code = (error as NodeJS.ErrnoException).code;
+  if (code === 'WS_ERR_UNSUPPORTED_MESSAGE_LENGTH') return gatewayMessages.messageTooLong(name, MAX_MESSAGE / 1024 ** 2);
   if (wasOpen) return RESET.includes(code!) ? gatewayMessages.closed : error.message;
   if (code === 'ECONNREFUSED') return gatewayMessages.refuses;
   if (isUnknownHost(code)) return gatewayMessages.unknownHost(name);

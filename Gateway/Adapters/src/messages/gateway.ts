@@ -16,6 +16,9 @@ export const gatewayMessages = {
     `HTTP status ${status}: the token is missing or unknown to the gateway; set gateway.token_file to a token with the role source`,
   measuring: (name: string) => `${name} is measuring this clock; it forwards positions after the measurement`,
   noService: (service: string) => `this adapter has no service ${service}`,
+  messageTooLong: (name: string, most: number) =>
+    `the ${name} sent a message of more than ${most} MiB, which ended the connection`
+    + (name === 'gateway' ? '' : '; set plant.topics.robot_description to false if it is the description, or read another topic'),
   notJson: 'a message is not a JSON object; check that the server is a rosbridge server',
   refuses: 'the connection was refused; check the port, and check that the program is running there',
   closed: 'connection closed',

@@ -25,6 +25,16 @@ describe('ros', { concurrency: 4 }, () => {
       assert.deepEqual([name, position, velocity], [['shoulder', 'elbow'], [0.25, -1.5], [0.5, null]]);
     });
 
+  it('Robot_SendsMoreThan2MiB_ReasonNamesTheLimitAndTheEntry', async t => {
+    const { robot, bridge } = await cell(t);
+
+    robot.publish('/robot_description', { data: `<robot>${'x'.repeat(2 * 1024 ** 2)}` });
+
+    const tooLong = like(gatewayMessages.messageTooLong('rosbridge', 2));
+    await until(() => tooLong.test(bridge.state?.reason), () => JSON.stringify(bridge.state));
+    assert.match(bridge.state.reason, /plant\.topics\.robot_description/);
+  });
+
   it('Adapter_StampDelay_IsSubtractedFromTheTimeStampsOfJointsFramesAndSignals', async t => {
     const rest = 'frames: [{ frame: part }, { frame: table }]\nsignals: [{ signal: force, topic: /force, type: geometry_msgs/WrenchStamped, field: wrench.force.z }]\n';
     const { robot, bridge } = await cell(t, {}, { plant: '  stamp_delay_ms: 100\n', rest }), stamp = robot.now(), header = { stamp: robot.time(stamp), frame_id: 'world' };
