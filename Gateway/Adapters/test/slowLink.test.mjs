@@ -12,6 +12,30 @@ const S = 1_000_000_000n;
 const LARGE = { data: 'x'.repeat(16 * 1024) };
 
 describe('link to a slow gateway', () => {
+  it('Call_AnsweredAfterAReconnection_GetsNoResponseOnTheNewConnection', async t => {
+    const bridge = await RosbridgeDouble.start(t), ending = new AbortController();
+    const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {})), answers = [];
+    link.offer('/time', 'nowpose/PlantTime', () => new Promise(resolve => answers.push(resolve)));
+    const running = link.run(ending.signal);
+    const call = async count => {
+      await until(() => bridge.heard.filter(({ op }) => op === 'advertise_service').length === count, 'the offer');
+      bridge.send({ op: 'call_service', id: 'time:1', service: '/time', args: {} });
+      await until(() => answers.length === count, 'the call');
+    };
+    await call(1);
+    bridge.clients[0].terminate();
+    await call(2);
+
+    answers[0]({ of: 'the first connection' });
+    await new Promise(setImmediate);
+    answers[1]({ of: 'the second connection' });
+
+    await until(() => bridge.heard.some(({ op }) => op === 'service_response'), 'the response');
+    assert.deepEqual(bridge.heard.filter(({ op }) => op === 'service_response').map(({ values }) => values.of), ['the second connection']);
+    ending.abort();
+    await running;
+  });
+
   it('Signals_ChangeWhileTheQueueOverflows_AllReachTheGatewayWithTheirNewestValues', async t => {
     const bridge = await RosbridgeDouble.start(t), ending = new AbortController();
     const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}));

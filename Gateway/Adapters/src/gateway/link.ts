@@ -272,14 +272,15 @@ export class GatewayLink {
   }
 
   async #answer(service: string, id: unknown): Promise<void> {
-    const offered = this.#services.get(service);
-    try {
-      if (offered === undefined) throw new Error(gatewayMessages.noService(service));
-      offered.heard = performance.now();
-      this.#send(JSON.stringify({ op: 'service_response', id, service, values: await offered.answer(), result: true }));
-    } catch (error) {
-      this.#send(JSON.stringify({ op: 'service_response', id, service, values: this.log.clean((error as Error).message), result: false }));
-    }
+    const [socket, offered] = [this.#socket, this.#services.get(service)];
+    if (offered !== undefined) offered.heard = performance.now();
+    const answer = offered?.answer() ?? Promise.reject(new Error(gatewayMessages.noService(service)));
+    const response = await answer.then(
+      values => ({ values, result: true }),
+      error => ({ values: this.log.clean((error as Error).message), result: false }),
+    );
+    // The next connection may have another request with the same id.
+    if (socket === this.#socket) this.#send(JSON.stringify({ op: 'service_response', id, service, ...response }));
   }
 
   #advertise(topic: string): void {
