@@ -34,5 +34,8 @@ export const ofMilliseconds = (ms: number): Nanoseconds => BigInt(Math.round(ms 
 
 export const toMilliseconds = (ns: Nanoseconds): number => Number(ns) / 1e6;
 
+/** Gets the Unix time of this machine in ms when the process started, plus the time since then. Steps of the machine's clock do not change it. */
+export const unixTimeMs = (): number => performance.timeOrigin + performance.now();
+
 /** Gets a monotonic time in ns with an arbitrary epoch. */
 export const monotonicTime = (): Nanoseconds => process.hrtime.bigint();

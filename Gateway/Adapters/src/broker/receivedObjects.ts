@@ -3,7 +3,7 @@ import { SignalSender } from '../cell/signalSender';
 import type { OfferedClock } from '../clock/offeredClock';
 import type { GatewayLink } from '../gateway/link';
 import type { AdapterStatus } from '../gateway/status';
-import { ofRosTime } from '../times';
+import { ofRosTime, unixTimeMs } from '../times';
 import { FRAMES, namedBy, REPORTS, SIGNAL, STATIONARY } from './objectTopics';
 import { OTHER_GATEWAY, reportsOf } from './reportedJoints';
 import { brokerMessages, malformedMessages } from '../messages/broker';
@@ -110,7 +110,7 @@ export class ReceivedObjects {
   }
 
   #takeReports(message: Record<string, unknown>): void {
-    const reports = reportsOf(message, Date.now());
+    const reports = reportsOf(message, unixTimeMs());
     if (typeof reports === 'string') throw new Error(reports);
     const reported = new Map(reports.map(({ joint, reason }) => [joint, reason]));
     for (const name of this.#reported.keys()) if (!this.#signals.has(name) && !reported.has(name)) this.status.signals.forget(name);

@@ -2,7 +2,7 @@ import type { Condition, State } from '../gateway/conditions';
 import type { AdapterStatus } from '../gateway/status';
 import type { JointNames } from '../ros/jointNames';
 import type { SampleSilence } from '../samples/sampleSilence';
-import { type Nanoseconds, ofRosTime, toMilliseconds } from '../times';
+import { type Nanoseconds, ofRosTime, toMilliseconds, unixTimeMs } from '../times';
 import { brokerMessages, malformedMessages } from '../messages/broker';
 
 const MAX_JOINTS = 256;
@@ -42,7 +42,7 @@ export class ReportedJoints {
     readonly names: Pick<JointNames, 'find'>,
     readonly status: AdapterStatus,
     readonly silence: SampleSilence,
-    readonly now: () => number = Date.now,
+    readonly now: () => number = unixTimeMs,
   ) {}
 
   /** Processes a message that the other gateway published on /nowpose/joint_status. */

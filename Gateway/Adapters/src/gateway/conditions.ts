@@ -1,6 +1,7 @@
 import type { Log } from '../log';
 import { stateMessages } from '../messages/values';
 import type { Refusal } from '../samples/stampRule';
+import { unixTimeMs } from '../times';
 
 /** The kind of object to which a value belongs. It is also the prefix of the object's key in the diagnostics. */
 type ConditionKind = 'joint' | 'frame' | 'signal';
@@ -59,7 +60,7 @@ export class Conditions {
     readonly kind: ConditionKind,
     readonly log: Log,
     readonly changed: () => void = () => {},
-    readonly now: () => number = Date.now,
+    readonly now: () => number = unixTimeMs,
   ) {}
 
   /** Adds an expected name. Its state is missing until its first valid value. */

@@ -1,6 +1,6 @@
 import { SIGNALS, TF, TF_STATIC } from '../cell/messages';
 import { robotMessages } from '../messages/configuration';
-import { type Nanoseconds, ofMilliseconds, toRosTime } from '../times';
+import { type Nanoseconds, ofMilliseconds, toRosTime, unixTimeMs } from '../times';
 
 export const JOINT_STATES = '/joint_states';
 export const JOINT_TRAJECTORY = '/joint_trajectory';
@@ -64,12 +64,11 @@ export function excessOf(source: string, urdf: string): string | null {
 export const description = (urdf: string): object => ({ data: urdf });
 
 /**
- * Creates a diagnostics message. Its stamp is the time of this machine, which also gives the start of each reported state. The gateway uses only the
- * differences.
+ * Creates a diagnostics message. Its stamp is a time of the same clock as the start of each reported state. The gateway uses only the differences.
  * @param level Level of the DiagnosticStatus: 0 ok, 1 warning, 2 error.
  */
 export const diagnostics = (name: string, level: 0 | 1 | 2, message: string, values: Record<string, string>): object => ({
-  header: { stamp: toRosTime(ofMilliseconds(Date.now())), frame_id: '' },
+  header: { stamp: toRosTime(ofMilliseconds(unixTimeMs())), frame_id: '' },
   status: [{ level, name, message, hardware_id: name, values: Object.entries(values).map(([key, value]) => ({ key, value })) }],
 });
 

@@ -1,4 +1,5 @@
 import { Log } from '../log';
+import { unixTimeMs } from '../times';
 import { byImportance, type Condition, Conditions } from './conditions';
 import { stateMessages } from '../messages/values';
 
@@ -36,7 +37,7 @@ export class AdapterStatus {
     kind: string,
     readonly log: Log,
     readonly changed: () => void = () => {},
-    now: () => number = Date.now,
+    now: () => number = unixTimeMs,
   ) {
     this.#details.kind = kind;
     this.joints = new Conditions('joint', log, changed, now);
