@@ -23,6 +23,16 @@ function plant(joints, urdf = ARM) {
   return path;
 }
 
+describe('file of the robot description', () => {
+  for (const [name, encoded] of [['Utf8WithMark', Buffer.from(`\ufeff${ARM}`)], ['Utf16', Buffer.from(`\ufeff${ARM}`, 'utf16le')]])
+    it(`Check_${name}_IsReadWithoutTheMark`, () => {
+      const path = plant('  - { joint: elbow, node: i=1, unit: deg }\n', encoded);
+
+      assert.deepEqual(wrongIn(path), []);
+      assert.equal(readConfiguration(path, {}, kinds).robot, ARM);
+    });
+});
+
 describe('units of joints', () => {
   for (const [joint, unit, type, allowed] of [
     ['elbow', 'mm', 'revolute', ['rad', 'deg']], ['turntable', 'm', 'continuous', ['rad', 'deg']], ['axis > 1', 'deg', 'prismatic', ['m', 'mm']],

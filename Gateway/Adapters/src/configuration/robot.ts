@@ -1,6 +1,6 @@
-import { readFileSync } from 'node:fs';
 import { besides } from './besides';
 import { nearest } from './nearest';
+import { readText } from './textFile';
 import type { Path, YamlFile } from './yamlFile';
 import { excessOf } from '../gateway/messages';
 import ur10e from '../../../../Packages/com.nowpose.mril/Runtime/Robots/ur10e.urdf';
@@ -44,7 +44,7 @@ export function robotOf(file: YamlFile, at: Path, robot: string): string | null 
     return null;
   };
   try {
-    const text = readFileSync(path, 'utf8');
+    const text = readText(path);
     if (!text.includes('<robot')) return report(robotMessages.notUrdf(robot));
     const excess = excessOf(robot, text);
     return excess === null ? text : report(excess);
