@@ -91,6 +91,8 @@ export class RtdeSession {
       this.#over.abort();
       clock.detach();
       status.notice(null, 'rate');
+      status.notice(null);
+      for (const key of ['program', 'following_ms']) status.detail(key, null);
       this.#connection.close();
     }
   }

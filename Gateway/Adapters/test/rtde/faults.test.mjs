@@ -33,6 +33,17 @@ describe('faults of an rtde plant', { concurrency: 4 }, () => {
     ]);
   });
 
+  it('Controller_SwitchedOffDuringAProtectiveStop_EndsTheNoticeOfTheStop', async t => {
+    const { bridge, robot } = await cell(t);
+    robot.state = { runtime: 1, mode: 7, safety: 3, bits: 1 << 2 };
+    await until(() => bridge.state?.notice === safetyStops[3] && bridge.state.program !== undefined, () => JSON.stringify(bridge.state));
+
+    robot.stop();
+
+    await until(() => bridge.state.state === 'waiting', () => JSON.stringify(bridge.state));
+    assert.deepEqual(['notice', 'program', 'following_ms'].filter(key => key in bridge.state), []);
+  });
+
   it('Robot_WithoutPower_SendsNoPositionsUntilPowerOn', async t => {
     const robot = new RtdeRobot({ stands: true });
     Object.assign(robot.state, { mode: 3, runtime: 1 });
