@@ -1,4 +1,5 @@
 import type { Nanoseconds } from '../times';
+import type { PlcNumber } from './decoding';
 
 /** Number of cycles whose values may wait for the cycle's time, in addition to the cycles within two maximum delays. */
 const MORE_WAITING = 16;
@@ -9,7 +10,7 @@ const MAX_TIMES = 2048;
 /** A value read from the PLC, with its index in the configuration. */
 export interface CycleValue {
   index: number;
-  value: number;
+  value: PlcNumber;
 }
 
 /**

@@ -1,7 +1,10 @@
 import { ofCount, ofFraction, type TimeUnit } from '../samples/timeUnit';
 import type { Nanoseconds } from '../times';
 
-type Reader = (data: Buffer) => number | bigint;
+/** A number of the PLC; a bigint if it has 64 bits, whose low bits a double would lose. */
+export type PlcNumber = number | bigint;
+
+type Reader = (data: Buffer) => PlcNumber;
 
 /** Readers of elementary types by ADS type number (ADST_… in TcAdsDef.h), which is the same for all aliases of a type in a PLC. */
 const READERS: Record<number, { bytes: number; read: Reader }> = {
@@ -41,7 +44,7 @@ export const isNumber = ({ adsDataType, size, arrayDimension }: Declared): boole
 export const isState = ({ adsDataType, size, arrayDimension }: Declared): boolean => arrayDimension === 0 && STATE[adsDataType]?.bytes === size;
 
 /** Reads the number in a symbol's data; 0 or 1 for a BOOL. */
-export const numberOf = (declared: Declared, data: Buffer): number => Number(STATE[declared.adsDataType].read(data));
+export const numberOf = (declared: Declared, data: Buffer): PlcNumber => STATE[declared.adsDataType].read(data);
 
 /** Units of time types by type name. For other types, see `unitOf`. */
 const UNIT_OF_TYPE: Record<string, TimeUnit> = {

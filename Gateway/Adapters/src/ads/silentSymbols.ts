@@ -1,5 +1,6 @@
 import { pause } from '../backoff';
 import { isUnnotified, lateAfterMs, SILENT_MS } from '../samples/silentValues';
+import type { PlcNumber } from './decoding';
 
 /**
  * Interval of the checks: LOOK_MS, or QUIET_LOOK_MS if the PLC sends only changes and no value has arrived for QUIET_MS. Headsets show a sample for
@@ -14,7 +15,7 @@ const RETRY_MS = 10_000;
 
 interface SymbolState {
   heardAt: number;
-  value: number | null;
+  value: PlcNumber | null;
   isLost: boolean;
   /** Whether the PLC has refused the subscription, at the time `heardAt`. */
   isRefused: boolean;
@@ -32,13 +33,13 @@ interface ReadActions {
    * Reads the symbol.
    * @throws Error The PLC no longer has the symbol, or does not respond.
    */
-  read(index: number): Promise<number>;
+  read(index: number): Promise<PlcNumber>;
   /** Confirms that these symbols still had the value of their last notification when they were read. The reads began `agoMs` ms ago. */
   confirm(indices: ReadonlySet<number>, agoMs: number): void;
   /** @param isSubscription Whether the subscription failed, which is tried again later; otherwise the read failed. */
   lose(index: number, error: unknown, isSubscription: boolean): void;
   /** Subscribes to the symbol again, because it exists again with this value, or because its notifications do not arrive. */
-  renew(index: number, value: number): Promise<void>;
+  renew(index: number, value: PlcNumber): Promise<void>;
 }
 
 /** Reads the symbols for which no notifications arrive, to distinguish a value at rest from a symbol that no longer exists. */
@@ -61,7 +62,7 @@ export class SilentSymbols {
     this.#symbols = watched.map(isWatched => (isWatched ? { ...HEARD, heardAt: now(), value: null } : null));
   }
 
-  heard(index: number, value: number): void {
+  heard(index: number, value: PlcNumber): void {
     this.#newest = this.now();
     this.#symbols[index] = { ...HEARD, heardAt: this.#newest, value };
   }
@@ -107,7 +108,7 @@ export class SilentSymbols {
   }
 
   async #isUnchanged(index: number, began: number): Promise<boolean> {
-    let value: number;
+    let value: PlcNumber;
     try {
       value = await this.actions.read(index);
     } catch (error) {

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { parts } from '../parts.mjs';
 
-const { Cycles, NotificationTime, ofFileTime } = await parts('ads/cycles', 'ads/plcTime', 'times');
+const { bitIn, Cycles, NotificationTime, numberOf, ofFileTime } = await parts('samples/number', 'ads/cycles', 'ads/plcTime', 'ads/decoding', 'times');
 
 describe('cycles of a PLC', () => {
   const met = (cycles, perDelay) => {
@@ -21,6 +21,18 @@ describe('cycles of a PLC', () => {
   });
 
   it('Values_TimesNeverArrive_AreDroppedBeyondTheLimit', () => assert.equal(met(1000, 50).dropped.length, 1000 - 116));
+});
+
+describe('words of a PLC', () => {
+  for (const [type, write] of [[20, 'writeBigInt64LE'], [21, 'writeBigUInt64LE']])
+    it(`Word_Of64Bits_HasAllItsBits (type ${type})`, () => {
+      const data = Buffer.alloc(8);
+      data[write]((1n << 60n) | 5n);
+
+      const number = numberOf({ adsDataType: type }, data);
+
+      assert.deepEqual([0, 1, 2, 60].map(bit => bitIn(number, bit)), [1, 0, 1, 1]);
+    });
 });
 
 describe('time by notifications', () => {
