@@ -17,6 +17,9 @@ export function afterArrivals(ms: number, then: () => void): () => void {
   };
 }
 
+/** Gets the address of a TCP port for messages. */
+export const placeOf = ({ host, port }: { host: string; port: number }): string => (host.includes(':') ? `[${host}]:${port}` : `${host}:${port}`);
+
 /**
  * Waits until a new socket is connected, and destroys it if it fails.
  * @param event Event after which the socket can be used.

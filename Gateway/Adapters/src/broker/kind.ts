@@ -4,6 +4,7 @@ import { secretIn } from '../configuration/secret';
 import type { PlantFile } from '../configuration/plantFile';
 import type { YamlFile } from '../configuration/yamlFile';
 import { type BrokerAddress, brokerOf } from '../mqtt/address';
+import { placeOf } from '../sockets';
 import { brokerSettingMessages } from '../messages/broker';
 import { configurationMessages } from '../messages/configuration';
 
@@ -16,9 +17,6 @@ export interface Upstream {
   token: string | null;
 }
 
-/** Gets the address of a sync port for messages. */
-export const placeOf = ({ host, port }: Upstream): string => `${host}:${port}`;
-
 /** The settings of kind broker, including the contents of files with secrets. */
 export interface BrokerSettings {
   direction: 'publish' | 'subscribe';
@@ -27,7 +25,7 @@ export interface BrokerSettings {
   topic: string;
   /** Namespaces of the robots. The first entry is empty, for the robot without a namespace. */
   namespaces: string[];
-  /** Sync port from which the control time is read; null if the gateway uses its own clock. */
+  /** Sync port from which the control time is read; null with the direction publish. */
   clock: Upstream | null;
 }
 
@@ -53,9 +51,7 @@ export const broker: Kind<'broker', BrokerSettings> = {
     const { direction, topic, clock, broker } = settings;
     const gateway = isSupervised ? 'this gateway' : `gateway ${url}`;
     const { publishing, subscribing } = brokerSettingMessages;
-    return direction === 'publish'
-      ? publishing(gateway, broker.endpoint, topic)
-      : subscribing(broker.endpoint, topic, gateway, `${clock?.host}:${clock?.port}`);
+    return direction === 'publish' ? publishing(gateway, broker.endpoint, topic) : subscribing(broker.endpoint, topic, gateway, placeOf(clock!));
   },
 };
 

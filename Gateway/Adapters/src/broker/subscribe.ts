@@ -4,11 +4,12 @@ import { JointNames, type OutJoint } from '../ros/jointNames';
 import { JointStates } from '../ros/jointStates';
 import { SetPoints } from '../ros/setPoints';
 import { passedTrajectory } from '../ros/trajectory';
+import { placeOf } from '../sockets';
 import { ALIVE, below, BrokerLink, DESCRIPTION, type Presence, STATES, STATUS, TRAJECTORY } from './brokerLink';
 import { kindOf } from './objectTopics';
 import { ReceivedObjects } from './receivedObjects';
 import { ReportedJoints } from './reportedJoints';
-import { type BrokerSettings, placeOf } from './kind';
+import type { BrokerSettings } from './kind';
 import { runUpstreamClock } from './upstreamClock';
 import { brokerMessages, malformedMessages, syncMessages } from '../messages/broker';
 
@@ -30,6 +31,8 @@ export async function subscribe(
   settings: BrokerSettings,
 ): Promise<void> {
   const { silence } = output.joints;
+  // A configuration with this direction has the entry.
+  const upstream = settings.clock!;
   const robots = new Map(settings.namespaces.map(robot => [robot, new JointNames([], robot)]));
   const reported = new ReportedJoints({ find: joint => named(robots, joint as string) }, status, silence);
   const objects = new ReceivedObjects(gateway, clock, status);
@@ -55,7 +58,7 @@ export async function subscribe(
   /** The reason why the broker refuses a subscription of the present connection; null if it refuses none. */
   let refusal: string | null = null;
   /** The reason why the clock of the plant's gateway has never been read; null after the first reading. Nothing is forwarded before. */
-  let unread: string | null = settings.clock === null ? null : syncMessages.notYet(placeOf(settings.clock));
+  let unread: string | null = syncMessages.notYet(placeOf(upstream));
   /** The reason why the publishing bridge or its gateway is not present. */
   let absence = '';
   /** Whether the publishing bridge and its gateway are connected. */
@@ -138,8 +141,7 @@ export async function subscribe(
     setPoints.check();
   }, CHECK_MS);
   const invalid = (reason: string): void => status.count(reason);
-  const upstream = settings.clock === null ? undefined : runUpstreamClock(settings.clock, clock, log, stopping, { invalid, read: clockRead });
-  await Promise.all([broker.run(stopping), upstream]);
+  await Promise.all([broker.run(stopping), runUpstreamClock(upstream, clock, log, stopping, { invalid, read: clockRead })]);
   clearTimeout(expiry);
   clearInterval(checks);
 }

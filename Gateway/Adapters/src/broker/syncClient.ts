@@ -2,9 +2,9 @@ import { connect, type Socket } from 'node:net';
 import { connect as connectSecurely, type TLSSocket } from 'node:tls';
 import type { ClockReading } from '../clock/offeredClock';
 import { pinProblem } from '../gateway/pin';
-import { afterArrivals, opened } from '../sockets';
+import { afterArrivals, opened, placeOf } from '../sockets';
 import { monotonicTime, type Nanoseconds } from '../times';
-import { placeOf, type Upstream } from './kind';
+import type { Upstream } from './kind';
 import { FRAME, isAccepted, parseReply, type Reply, request, tokenRequest } from './syncFrame';
 import { syncMessages } from '../messages/broker';
 

@@ -1,7 +1,8 @@
 import { Backoff, pause } from '../backoff';
 import type { OfferedClock } from '../clock/offeredClock';
 import type { Log } from '../log';
-import { placeOf, type Upstream } from './kind';
+import { placeOf } from '../sockets';
+import type { Upstream } from './kind';
 import { type Invalid, SyncClient } from './syncClient';
 import { syncMessages } from '../messages/broker';
 

@@ -193,18 +193,17 @@ export class ReadOnlySession {
   /**
    * Monitors nodes.
    * @param heard Receives the values of one notification. Several values of one node are sorted, the oldest first.
-   * @param alive Called for each message of the server. `isQuiet` is true for a message without changes.
+   * @param alive Called for each message of the server.
    */
-  async monitor(nodes: string[], heard: (values: NodeValue[]) => void, alive: (isQuiet: boolean) => void): Promise<Monitoring> {
+  async monitor(nodes: string[], heard: (values: NodeValue[]) => void, alive: () => void): Promise<Monitoring> {
     const { samplingMs, publishingMs } = this.settings;
     const { subscription, unmodified } = await subscribe(this.#session!, publishingMs);
     subscription.on('terminated', () => this.#end(opcuaMessages.subscriptionEnded));
     subscription.on('status_changed', status => this.#end(opcuaMessages.subscriptionStatus(status.name)));
     this.#heard = heard;
     subscription.on('raw_notification', message => {
-      const data = message.notificationData ?? [];
-      alive(data.length === 0);
-      this.#take(data);
+      alive();
+      this.#take(message.notificationData ?? []);
     });
     this.#subscription = subscription;
     const items = (this.#items = await this.#monitored(subscription, nodes));

@@ -1,7 +1,8 @@
 import type { AdapterContext } from '../adapter';
 import { reconnecting } from '../backoff';
+import { placeOf } from '../sockets';
 import { publishCalibrated } from './calibration/calibration';
-import { at, RefusalError } from './connection';
+import { RefusalError } from './connection';
 import { fieldsOf, MissingFieldsError, RecipeError } from './recipe';
 import { RtdeSession } from './session';
 import type { RtdeSettings } from './kind';
@@ -13,7 +14,7 @@ export async function run(context: AdapterContext<RtdeSettings>): Promise<void> 
   const { settings } = configuration;
   let fields = fieldsOf(settings.source, settings.addresses);
   log.line(rtdeMessages.notSecure);
-  status.detail('endpoint', at(settings));
+  status.detail('endpoint', placeOf(settings));
   status.detail('security', 'none');
   if (settings.isCalibrated) void publishCalibrated(context, settings);
   status.enter('connecting');

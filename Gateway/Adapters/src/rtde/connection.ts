@@ -1,6 +1,6 @@
 import { connect, type Socket } from 'node:net';
 import { isUnknownHost } from '../connectionErrors';
-import { opened } from '../sockets';
+import { opened, placeOf } from '../sockets';
 import { monotonicTime, type Nanoseconds } from '../times';
 import { NotRtdeError, PackageReader, type RtdePackage } from './packages';
 import { rtdeMessages } from '../messages/rtde';
@@ -37,7 +37,7 @@ export class RtdeConnection {
     socket.setNoDelay(true);
     socket.on('data', bytes => this.#hear(bytes));
     // Uses one message for both events, because their order is not defined.
-    socket.on('error', () => {}).on('close', () => this.#end(new Error(rtdeMessages.ended(at(peer)))));
+    socket.on('error', () => {}).on('close', () => this.#end(new Error(rtdeMessages.ended(placeOf(peer)))));
   }
 
   /**
@@ -70,20 +70,18 @@ export class RtdeConnection {
     try {
       for (const received of this.#reader.add(bytes)) this.onPackage(received, arrived);
     } catch (error) {
-      this.#end(error instanceof NotRtdeError ? new RefusalError(rtdeMessages.notRtde(at(this.peer))) : (error as Error));
+      this.#end(error instanceof NotRtdeError ? new RefusalError(rtdeMessages.notRtde(placeOf(this.peer))) : (error as Error));
       this.close();
     }
   }
 }
-
-export const at = ({ host, port }: Peer): string => (host.includes(':') ? `[${host}]:${port}` : `${host}:${port}`);
 
 const codeOf = (error: Error): string => (error as NodeJS.ErrnoException).code ?? error.message;
 
 /** Gets the reason why a connection failed, with the remedy. */
 export function unreachable(peer: Peer, error: Error): string {
   const code = codeOf(error);
-  if (code === 'ECONNREFUSED') return rtdeMessages.refuses(at(peer), peer.service ?? 'RTDE');
+  if (code === 'ECONNREFUSED') return rtdeMessages.refuses(placeOf(peer), peer.service ?? 'RTDE');
   if (isUnknownHost(code)) return rtdeMessages.unknownHost(peer.host);
-  return rtdeMessages.noAnswer(at(peer), code);
+  return rtdeMessages.noAnswer(placeOf(peer), code);
 }

@@ -1,5 +1,6 @@
 import type { Kind } from '../adapter';
 import { readNames } from '../configuration/configuration';
+import { placeOf } from '../sockets';
 import { type Nanoseconds, ofMilliseconds } from '../times';
 import { fieldsOf, type PositionSource, type RtdeAddress } from './recipe';
 import { summaryMessages } from '../messages/gateway';
@@ -68,7 +69,7 @@ export const rtde: Kind<'rtde', RtdeSettings> = {
     };
   },
   summary(configuration) {
-    const { host, port, rateHz, source } = configuration.settings;
-    return rtdeSettingMessages.summary(`${host}:${port}`, source, rateHz, readNames(configuration, summaryMessages.onlyClock));
+    const { rateHz, source } = configuration.settings;
+    return rtdeSettingMessages.summary(placeOf(configuration.settings), source, rateHz, readNames(configuration, summaryMessages.onlyClock));
   },
 };

@@ -2,8 +2,8 @@ import type { AdapterContext } from '../adapter';
 import { pause } from '../backoff';
 import { monotonicTime, type Nanoseconds, ofMilliseconds } from '../times';
 import { ofFraction } from '../samples/timeUnit';
-import { afterArrivals } from '../sockets';
-import { at, RefusalError, RtdeConnection } from './connection';
+import { afterArrivals, placeOf } from '../sockets';
+import { RefusalError, RtdeConnection } from './connection';
 import { controllerVersion, protocolVersion, type RtdePackage, setUpOutputs, start, textOf, TYPE } from './packages';
 import { CycleOutput } from './cycleOutput';
 import { Following } from './following';
@@ -99,7 +99,7 @@ export class RtdeSession {
 
   // Gets the error to report. Before the first data, it names other clients as a possible cause, because a controller accepts few clients.
   #because(error: Error): Error {
-    if (error instanceof RefusalError) return this.#isReading ? new Error(rtdeMessages.damaged(at(this.settings))) : error;
+    if (error instanceof RefusalError) return this.#isReading ? new Error(rtdeMessages.damaged(placeOf(this.settings))) : error;
     const { endedWhileReading, endedBeforeAnswer } = rtdeMessages;
     return new Error(this.#isReading ? endedWhileReading(error.message) : endedBeforeAnswer(error.message));
   }
@@ -108,8 +108,8 @@ export class RtdeSession {
     const { settings } = this;
     const { status } = this.context;
     const version = await this.#ask(protocolVersion(VERSION), TYPE.protocolVersion, ANSWER_MS);
-    if (version === null) throw new RefusalError(rtdeMessages.noRtdeAnswer(at(settings)));
-    if (version[0] !== 1) throw new RefusalError(rtdeMessages.oldProtocol(at(settings)));
+    if (version === null) throw new RefusalError(rtdeMessages.noRtdeAnswer(placeOf(settings)));
+    if (version[0] !== 1) throw new RefusalError(rtdeMessages.oldProtocol(placeOf(settings)));
     const controller = (this.#controller = await this.#ask(controllerVersion(), TYPE.controllerVersion, VERSION_ANSWER_MS));
     const major = controller !== null && controller.length >= 16 ? controller.readUInt32BE(0) : null;
     if (major !== null) status.detail('controller', [0, 4, 8, 12].map(i => controller!.readUInt32BE(i)).join('.'));
@@ -119,13 +119,13 @@ export class RtdeSession {
     status.detail('rate_hz', rateHz);
     const names = this.fields.map(field => field.name);
     const types = await this.#ask(setUpOutputs(rateHz, names), TYPE.setUpOutputs, ANSWER_MS);
-    if (types === null) throw new Error(rtdeMessages.noRecipe(at(settings)));
+    if (types === null) throw new Error(rtdeMessages.noRecipe(placeOf(settings)));
     this.#recipe = new Recipe(this.fields, types, settings.source);
     this.#output = new CycleOutput(this.context.output, settings, this.#recipe);
     const started = await this.#ask(start(), TYPE.start, ANSWER_MS, asked => {
       this.#answered = asked;
     });
-    if (started?.[0] !== 1) throw new Error(rtdeMessages.notStarted(at(settings)));
+    if (started?.[0] !== 1) throw new Error(rtdeMessages.notStarted(placeOf(settings)));
   }
 
   /**
@@ -163,7 +163,7 @@ export class RtdeSession {
       this.#reportRate();
     }
     const { halfPackage, silent } = rtdeMessages;
-    return (this.#connection.hasHalfPackage ? halfPackage : silent)(at(this.settings), SILENT_MS / 1000);
+    return (this.#connection.hasHalfPackage ? halfPackage : silent)(placeOf(this.settings), SILENT_MS / 1000);
   }
 
   /** Requests the version repeatedly. The data package after each response gives an upper bound of the controller's clock. */
@@ -213,7 +213,7 @@ export class RtdeSession {
 
   #hearData(payload: Buffer, arrived: Nanoseconds): void {
     const cycle = this.#recipe.decode(payload);
-    if (typeof cycle === 'string') return this.#fail(new Error(rtdeMessages.invalidData(at(this.settings), cycle)));
+    if (typeof cycle === 'string') return this.#fail(new Error(rtdeMessages.invalidData(placeOf(this.settings), cycle)));
     this.#lastMs = performance.now();
     const { status } = this.context;
     const before = this.#timestamp;

@@ -1,6 +1,7 @@
 import { connect } from 'node:net';
 import { addAbortSignal } from 'node:stream';
-import { at, type Peer, unreachable } from '../connection';
+import { placeOf } from '../../sockets';
+import { type Peer, unreachable } from '../connection';
 import { calibrationMessages } from '../../messages/rtde';
 
 /** Timeout for the connection and the kinematics, which the controller sends with its state several times per second. */
@@ -44,11 +45,11 @@ export async function readKinematics(peer: Peer, stop: AbortSignal): Promise<DhJ
       if (rest === null) break;
     }
   } catch (error) {
-    throw new Error(isLate ? calibrationMessages.late(at(peer), TIMEOUT_MS / 1000) : unreachable(peer, error as Error));
+    throw new Error(isLate ? calibrationMessages.late(placeOf(peer), TIMEOUT_MS / 1000) : unreachable(peer, error as Error));
   } finally {
     clearTimeout(late);
   }
-  throw new Error(rest === null ? calibrationMessages.notPrimary(at(peer)) : calibrationMessages.ended(at(peer)));
+  throw new Error(rest === null ? calibrationMessages.notPrimary(placeOf(peer)) : calibrationMessages.ended(placeOf(peer)));
 }
 
 interface Part {
