@@ -12,6 +12,9 @@ interface RosTime {
 export const NS_PER_MS = 1_000_000n;
 export const NS_PER_S = 1_000_000_000n;
 
+export const min = (...times: Nanoseconds[]): Nanoseconds => times.reduce((least, each) => (each < least ? each : least));
+export const max = (...times: Nanoseconds[]): Nanoseconds => times.reduce((most, each) => (each > most ? each : most));
+
 /** 1970-01-01 in units of 100 ns since 1601-01-01, as used by OPC UA's DateTime and Windows' FILETIME. */
 const FILETIME_OF_1970 = 116_444_736_000_000_000n;
 

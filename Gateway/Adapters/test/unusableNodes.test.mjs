@@ -72,7 +72,7 @@ describe('deletions of nodes', () => {
 
       await report(cell);
 
-      assert.equal(cell.status.refusals('node-gone'), 1);
+      assert.equal(Number(cell.status.values()['refused/node-gone']), 1);
       assert.match(cell.status.values()['joint/a'], /^fault /);
     });
   }
@@ -86,7 +86,7 @@ describe('deletions of nodes', () => {
     cell.value = gone;
     await cell.look();
 
-    assert.equal(cell.status.refusals('node-gone'), 2);
+    assert.equal(Number(cell.status.values()['refused/node-gone']), 2);
   });
 });
 

@@ -1,6 +1,6 @@
 import type { Frame } from '../configuration/frames';
 import { StampRule } from '../samples/stampRule';
-import { type Nanoseconds, NS_PER_MS } from '../times';
+import { max, min, type Nanoseconds, NS_PER_MS } from '../times';
 import type { FrameMotion } from './frameMotion';
 import { valuesOf } from './framePose';
 
@@ -65,7 +65,7 @@ export const trackOf = (frame: Frame, oldest: Nanoseconds, motion: FrameMotion):
  */
 export function silenceOf({ intervals, isRepeated }: Track, silence: Nanoseconds): Nanoseconds {
   if (isRepeated) return REPETITION;
-  const interval = intervals.reduce((shortest, each) => (each < shortest ? each : shortest), MAX_INTERVAL);
-  const least = silence > SILENCE ? silence : SILENCE;
+  const interval = min(MAX_INTERVAL, ...intervals);
+  const least = max(SILENCE, silence);
   return intervals.length > 0 && interval < MAX_INTERVAL && SILENT_INTERVALS * interval > least ? SILENT_INTERVALS * interval : least;
 }

@@ -8,7 +8,7 @@ import { numberIn } from '../samples/number';
 import type { PlantValue } from '../samples/plantOutput';
 import { ENDED_IN_MOTION, type SampleSilence } from '../samples/sampleSilence';
 import { isNewer, OF_LONG_AGO, type Refusal } from '../samples/stampRule';
-import { type Nanoseconds, ofMilliseconds } from '../times';
+import { min, type Nanoseconds, ofMilliseconds } from '../times';
 import { ComponentTrack } from './component';
 import { FrameStates } from './frameStates';
 import { poseOf, STEP } from './framePose';
@@ -217,9 +217,7 @@ export class PoseOutput {
     }
 
     const patience = ofMilliseconds(1000 * PATIENCE_INTERVALS * this.states.samplingS);
-    const stamp = track.values
-      .map(index => this.#components[index].knownUntil(time, patience))
-      .reduce((oldest, each) => (each < oldest ? each : oldest), time);
+    const stamp = min(time, ...track.values.map(index => this.#components[index].knownUntil(time, patience)));
     if (stamp < time && track.newest !== null && stamp <= track.newest) return [];
     const pose = poseOf(track.frame, (index, jump) => (jump === STEP ? this.#components[index].value : this.#components[index].at(stamp, jump)));
     if (pose === null) return [];

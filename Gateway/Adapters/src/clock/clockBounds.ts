@@ -1,4 +1,4 @@
-import { type Nanoseconds, NS_PER_S } from '../times';
+import { max, min, type Nanoseconds, NS_PER_S } from '../times';
 
 /**
  * Minimum step that is reported: values with stamps that are ahead of the clock by more than this are refused, so those received before the step may
@@ -34,7 +34,7 @@ export class ClockBounds {
       const change = ((heard - this.#bounds.at) * MAX_SKEW_PPM) / 1_000_000n;
       const [oldLow, oldHigh] = [this.#bounds.low - change, this.#bounds.high + change];
       step = low > oldHigh ? low - oldHigh : oldLow - high;
-      if (step <= 0n) [low, high] = [low > oldLow ? low : oldLow, high < oldHigh ? high : oldHigh];
+      if (step <= 0n) [low, high] = [max(low, oldLow), min(high, oldHigh)];
     }
     this.#bounds = { low, high, at: heard };
     return step > MIN_STEP;

@@ -1,4 +1,4 @@
-import { type Nanoseconds, NS_PER_S } from '../times';
+import { max, min, type Nanoseconds, NS_PER_S } from '../times';
 import type { ClockStep } from './clockStep';
 
 const STEPS: Nanoseconds[] = [1_000_000_000n, 100_000_000n, 10_000_000n, 1_000_000n, 100_000n, 10_000n, 1_000n, 100n, 1n];
@@ -46,7 +46,7 @@ export class Resolution {
 
   /** The resolution without the present standstill, which may be a pause, ns; zero while unknown. */
   get observed(): Nanoseconds {
-    return this.isKnown ? [this.#stood, this.#stoodBefore, this.#measured].reduce(max, this.#step) : this.#measured;
+    return this.isKnown ? max(this.#step, this.#stood, this.#stoodBefore, this.#measured) : this.#measured;
   }
 
   /** Maximum resolution that the newest measurement did not exclude minus the resolution, ns. */
@@ -112,6 +112,3 @@ export class Resolution {
     return max(this.#standing, min(time - this.#last.time, longest));
   }
 }
-
-const min = (a: Nanoseconds, b: Nanoseconds): Nanoseconds => (a < b ? a : b);
-const max = (a: Nanoseconds, b: Nanoseconds): Nanoseconds => (a > b ? a : b);

@@ -186,10 +186,6 @@ export class AdapterStatus {
     this.log.resume(`value of ${subject}`, stateMessages.validAgain(subject));
   }
 
-  refusals(reason: string): number {
-    return this.#refused.get(reason) ?? 0;
-  }
-
   /** Number of joints, frames and signals. */
   get size(): number {
     return this.#all.reduce((sum, { size }) => sum + size, 0);

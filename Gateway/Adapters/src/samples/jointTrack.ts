@@ -1,7 +1,7 @@
 import type { Joint } from '../configuration/configuration';
 import type { Condition } from '../gateway/conditions';
 import type { AdapterStatus } from '../gateway/status';
-import { type Nanoseconds, NS_PER_MS, ofMilliseconds } from '../times';
+import { max, type Nanoseconds, NS_PER_MS, ofMilliseconds } from '../times';
 import { type EndOfData, endOfJoint } from './endOfData';
 import type { Sample } from './grouping';
 import { numberIn } from './number';
@@ -175,7 +175,7 @@ export class JointTrack {
   /** Gets the minimum time without changes after which the sample is repeated; if it has been repeated already, the repetition interval. */
   #silenceAfter(silence: Nanoseconds): Nanoseconds {
     if (this.#isRepeated) return REPETITION;
-    return [SILENCE, silence, ofMilliseconds(this.#motion.overdueMs)].reduce((longest, each) => (each > longest ? each : longest));
+    return max(SILENCE, silence, ofMilliseconds(this.#motion.overdueMs));
   }
 
   /** Determines, once after the last sample, whether the data ended during a motion. */

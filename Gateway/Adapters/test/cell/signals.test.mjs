@@ -35,7 +35,7 @@ describe('signals', () => {
       take({ 0: value });
 
       const text = typeof value === 'number' ? refusalMessages.noBits(value) : refusalMessages.notNumber(value);
-      assert.deepEqual([changes(), status.signals.reasonOf('closed'), status.refusals('type')], [[], text, 1]);
+      assert.deepEqual([changes(), status.signals.reasonOf('closed'), Number(status.values()['refused/type'])], [[], text, 1]);
     });
 
   it('Signals_256WithLongNamesAndOneTimeStamp_AreSentInMessagesOfUpTo64KiB', () => {
@@ -157,7 +157,7 @@ describe('signals', () => {
     take({ 1: 1 }, { stamp: null });
 
     assert.deepEqual(changes(), []);
-    assert.deepEqual([status.refusals('stamp-future'), status.refusals('stamp-missing')], [1, 1]);
+    assert.deepEqual([Number(status.values()['refused/stamp-future']), Number(status.values()['refused/stamp-missing'])], [1, 1]);
   });
 
   it('Value_Lost_SignalIsInFault', () => {
