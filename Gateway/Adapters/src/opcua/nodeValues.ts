@@ -1,6 +1,6 @@
 import { DataType, type DataValue, type StatusCode, VariantArrayType } from 'node-opcua-client';
 import type { Refusal } from '../samples/stampRule';
-import { numberIn } from './stamps';
+import { contentOf } from './stamps';
 import { nodeMessages } from '../messages/opcua';
 
 /** The address of a value: a node and, if its value is an array, the index of the element. */
@@ -47,11 +47,11 @@ export function statusRefusal(value: DataValue): Refusal | null {
 export function valueOf(address: NodeAddress, value: DataValue): { value: unknown } | Refusal {
   const { value: variant } = value;
   const isArray = variant.arrayType !== VariantArrayType.Scalar;
-  if (address.index === undefined) return isArray ? { reason: 'type', text: nodeMessages.array(address.node) } : { value: numberIn(variant) };
+  if (address.index === undefined) return isArray ? { reason: 'type', text: nodeMessages.array(address.node) } : { value: contentOf(variant) };
   if (!isArray) return { reason: 'type', text: nodeMessages.notArray(address.node) };
   const elements = variant.value as ArrayLike<unknown> | null;
   const length = elements?.length ?? 0;
   if (address.index >= length) return { reason: 'index', text: nodeMessages.index(address.node, length) };
   const element = elements![address.index];
-  return { value: numberIn({ dataType: variant.dataType, value: element } as typeof variant) };
+  return { value: contentOf({ dataType: variant.dataType, value: element } as typeof variant) };
 }

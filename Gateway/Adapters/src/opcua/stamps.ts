@@ -26,7 +26,7 @@ const whole = (value: unknown, isSigned: boolean): bigint | null => {
 };
 
 /** Gets the value of a variant. A 64-bit number is returned as a bigint. */
-export function numberIn(variant: Variant): unknown {
+export function contentOf(variant: Variant): unknown {
   switch (variant.dataType) {
     case DataType.Int64:
       return whole(variant.value, true) ?? variant.value;
@@ -46,7 +46,7 @@ export function timeIn(variant: Variant, unit: TimeUnit | null): Nanoseconds | n
     const date = variant.value as (Date & { picoseconds?: number }) | null;
     return ofDate(date, date?.picoseconds);
   }
-  const value = numberIn(variant);
+  const value = contentOf(variant);
   if (typeof value === 'bigint') return ofCount(value, unit ?? 'ns');
   return variant.dataType === DataType.Double && Number.isFinite(value) ? ofFraction(value as number, unit ?? 's') : null;
 }

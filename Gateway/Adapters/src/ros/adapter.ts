@@ -6,7 +6,7 @@ import { TopicValues } from '../samples/topicValues';
 import { RosFrames } from './frames';
 import { JointNames } from './jointNames';
 import { JointStates } from './jointStates';
-import { renewing } from './renewals';
+import { renewing } from './subscriptionRenewals';
 import { RobotDescription } from './robotDescription';
 import { RobotTime } from './robotTime';
 import { SetPoints } from './setPoints';

@@ -8,7 +8,7 @@ import type { AdapterStatus } from '../gateway/status';
 import { type Refusal, StampRule } from '../samples/stampRule';
 import { type Nanoseconds, ofRosTime } from '../times';
 import { bare, type RosSettings } from './kind';
-import { EXPECTED_MS } from './renewals';
+import { EXPECTED_MS } from './subscriptionRenewals';
 import { RobotBase } from './robotBase';
 import { rosMessages } from '../messages/ros';
 import { refusalMessages } from '../messages/values';

@@ -3,7 +3,7 @@ import { description, excessOf, ROBOT_DESCRIPTION, topicOf } from '../gateway/me
 import type { AdapterStatus } from '../gateway/status';
 import { malformedMessages } from '../messages/broker';
 import { rosMessages } from '../messages/ros';
-import { EXPECTED_MS } from './renewals';
+import { EXPECTED_MS } from './subscriptionRenewals';
 
 const SUBJECT = 'robot description';
 

@@ -9,7 +9,7 @@ import { cell, states } from './cell.mjs';
 import { Robot } from './robot.mjs';
 
 const { rosMessages } = messages;
-const { renewing } = await parts('ros/renewals');
+const { renewing } = await parts('ros/subscriptionRenewals');
 
 describe('subscriptions of ros', { concurrency: 4 }, () => {
   it('Subscriptions_PublishersOfRos2StartLater_ReceiveTheirMessages', async t => {
