@@ -80,7 +80,10 @@ signals:
     await until(() => bridge.joint('a').state === 'live', () => JSON.stringify(bridge.state));
     assert.equal(bridge.status.level, 2);
   });
+});
 
+// A suite of its own, because ADS has the shortest timeouts, and the servers of OPC UA in this process need much processor time.
+describe('frames, signals and robots of ADS', { concurrency: 2 }, () => {
   it('Ads_PosesAndSignals_HaveTheTrueValuesAtTheirTimeStamps', async t => {
     const server = new AdsServer(youBot({ cycleMs: 5 })), port = await server.listen();
     t.after(() => server.close());
