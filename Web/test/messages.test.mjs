@@ -11,11 +11,11 @@ const samples = {
   bound: '120 µs', boundMs: 4.2, compensatedMm: 2.1, count: 3, displayed: 'on', displayedMm: 2.1, empty: 'z, roll', error: '3 ms', event: 'adapter belt is not connected',
   extentUs: 1000, fields: 'x, yaw', fileCount: 3, figure: 'Fig. 12', figures: 'Fig. 12, Fig. 18', file: 'press-1.jsonl', files: 'press-1.jsonl', from: '1', fromMs: 60,
   headset: 'left door', heldMm: 31, hop: 'network', host: 'cell-pc', isConnected: false, joint: 'arm_joint_1', joints: ['arm_joint_1', 'arm_joint_2'], key: '3f2a',
-  label: 'uncompensated', level: 'Fault', lines: '120', maxErrorMs: 8, maxMs: 3, meanMs: 33, median: '0.30 ms', modules: 33, mostMs: 80, names: ['lost (orphan)'], name: 'Press 3', needed: 8,
+  label: 'uncompensated', level: 'Fault', lines: '120', maxErrorMs: 8, maxMm: 157, maxMs: 3, meanMs: 33, median: '0.30 ms', modules: 33, mostMs: 80, names: ['lost (orphan)'], name: 'Press 3', needed: 8,
   number: '13a', offset: '0.25,-0.1,0,0,0,90', p99: '1.90 ms', part: 'Tool error', place: 'Fig. 10', quantity: 'Render time', rateHz: 60,
   reason: 'the file is locked', reasons: 'format 3', rms: '2 mm', samples: 12, seconds: '12.345', share: '5 %', shownAt: '10:15:00', size: '120',
   state: 'stale', status: 404, text: 'nowpose:cell/1', time: '4:59', title: 'Visible light', to: '2 mm', toMs: 175, truth: 'off', unit: 'rad', value: '2 mm', values: 'Uncompensated: 1 to 2 mm.',
-  robot: 'arm2', version: '0.2.0', widestUs: 6000, zone: 'GMT+1',
+  robot: 'arm2', version: '0.2.0', widestUs: 6000, widthMm: 235.6, zone: 'GMT+1',
 };
 const isSentence = name => /(Messages|Descriptions)\./.test(name);
 

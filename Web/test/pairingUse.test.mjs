@@ -6,7 +6,7 @@ import { FakeGateway } from './fakeGateway.mjs';
 import { messages } from './messages.mjs';
 import { browserWith, closeLater } from './pages.mjs';
 
-const { gatewayReasons, pairingReasons } = messages;
+const { gatewayReasons, pairingMessages, pairingReasons } = messages;
 
 describe('the pairing page', () => {
   let gateway, page;
@@ -53,5 +53,16 @@ describe('the pairing page', () => {
     await offsets.nth(1).fill('0.1.2');
 
     await page.waitForFunction(fault => document.querySelector('#fault').textContent === fault, pairingReasons.poseInvalid('y'));
+  });
+
+  it('states that a marker is too wide for A4 paper, up to which edge it fits, and still prints it', async () => {
+    const fault = text => page.waitForFunction(text => document.querySelector('#fault').textContent === text, text);
+    // The code of the fake gateway has 21 modules, and 29 with its margin.
+    await page.fill('#size', '200');
+    await fault(pairingMessages.wide((200 * 29) / 21, 133));
+    assert.ok(await page.locator('#print').isVisible());
+
+    await page.fill('#size', '133');
+    await fault('');
   });
 });

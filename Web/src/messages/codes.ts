@@ -22,6 +22,14 @@ export const clockCodeReasons = {
     `the error bound is ± ${boundMs.toFixed(1)} ms; it must be at most ± ${maxMs} ms; use a wired network or another browser`,
 };
 
+/** Text of the pairing page. */
+export const pairingMessages = {
+  /** @param maxMm Maximum edge of this code on A4 paper. */
+  wide: (widthMm: number, maxMm: number) =>
+    `With its white margin, this marker is ${Math.ceil(widthMm)} mm wide. A browser prints it too small on A4 paper: `
+    + `use larger paper, such as A3, or an edge of at most ${maxMm} mm.`,
+};
+
 /** Captions of the codes on the pairing page. */
 export const pairingLabels = {
   noEncryption: 'no encryption',

@@ -29,9 +29,13 @@ export function draw(text: string): Drawing {
   return { element, modules };
 }
 
-/** Sets the printed edge length of the code without the quiet zone, in mm. */
-export function setEdge({ element, modules }: Drawing, edgeMm: number): void {
-  const total = `${(edgeMm * (modules + 2 * MARGIN)) / modules}mm`;
-  element.setAttribute('width', total);
-  element.setAttribute('height', total);
+/**
+ * Sets the printed edge length of the code without the quiet zone, in mm.
+ * @returns The width of the drawing with the quiet zone, in mm.
+ */
+export function setEdge({ element, modules }: Drawing, edgeMm: number): number {
+  const total = (edgeMm * (modules + 2 * MARGIN)) / modules;
+  element.setAttribute('width', `${total}mm`);
+  element.setAttribute('height', `${total}mm`);
+  return total;
 }

@@ -1,6 +1,6 @@
 import { byId, el } from '../dom';
 import { ask } from '../gateway';
-import { pairingLabels, pairingReasons } from '../messages/codes';
+import { pairingLabels, pairingMessages, pairingReasons } from '../messages/codes';
 import { draw, setEdge } from './drawing';
 
 interface Beginning {
@@ -16,6 +16,9 @@ interface Marker {
 
 /** Time after the last keystroke until the code is updated. */
 const PAUSE_MS = 250;
+
+/** Printable width of A4 paper with the margins of the common browsers. A browser reduces what is wider, without a message. */
+const PAPER_MM = 185;
 
 const field = (id: string) => byId<HTMLInputElement>(id).value;
 const poseFields = () => [...document.querySelectorAll<HTMLInputElement>('[data-offset]')];
@@ -78,11 +81,11 @@ async function make(): Promise<boolean> {
 
 function show(text: string): boolean {
   const drawing = draw(text);
-  setEdge(drawing, Number(size()));
+  const widthMm = setEdge(drawing, Number(size()));
   byId('cell').replaceChildren(drawing.element);
   byId('caption').textContent = pairingLabels.marker(field('name'), size(), offset(), drawing.modules, text);
   byId('print').hidden = false;
-  byId('fault').textContent = '';
+  byId('fault').textContent = widthMm > PAPER_MM ? pairingMessages.wide(widthMm, Math.floor((Number(size()) * PAPER_MM) / widthMm)) : '';
   return true;
 }
 
