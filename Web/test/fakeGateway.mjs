@@ -79,6 +79,8 @@ export class FakeGateway {
   subscriptions = new Map();
   /** Whether the gateway refuses WebSockets, like one with too many connections. */
   isFull = false;
+  /** Whether the gateway leaves requests for WebSockets without a response, like a firewall that drops them. */
+  isDeaf = false;
   /** Speed factor of the joints' swing; 0 for a robot at rest. */
   pace = 1;
   /** Positions about which the joints swing. */
@@ -224,6 +226,7 @@ export class FakeGateway {
 
   upgrade(request, socket) {
     this.connects++;
+    if (this.isDeaf) return socket.on('error', () => socket.destroy());
     if (this.isFull) return socket.end('HTTP/1.1 503 Service Unavailable\r\nContent-Length: 0\r\n\r\n');
     const accept = createHash('sha1').update(request.headers['sec-websocket-key'] + '258EAFA5-E914-47DA-95CA-C5AB0DC85B11').digest('base64');
     if (this.token && !request.headers.cookie?.includes('nowpose=abc')) return socket.end('HTTP/1.1 401 Unauthorized\r\nContent-Length: 0\r\n\r\n');

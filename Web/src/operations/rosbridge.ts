@@ -1,7 +1,10 @@
 /** Minimum time from the end of a connection, or of an attempt to connect, until the next attempt. */
 const RETRY_MS = 2000;
 
-/** Time without any message after a call, after which the connection counts as lost. The gateway's limit for a pong is the same. */
+/**
+ * Time without any response to an attempt to connect or to a call, after which the connection counts as lost. The gateway's limit for a pong is the
+ * same.
+ */
 const MAX_SILENCE_MS = 6000;
 
 export const JOINT_STATE = 'sensor_msgs/msg/JointState';
@@ -25,7 +28,7 @@ export class Rosbridge {
   private readonly topics = new Map<string, Topic>();
   private socket: WebSocket | null = null;
   private retryAt = 0;
-  /** Time of the first call after the newest message; null if there is none. */
+  /** Time of the attempt to connect, or of the first call after the newest message; null if there is none. */
   private calledAt: number | null = null;
   private opened = () => {};
   private closed: Date | null = null;
@@ -85,6 +88,7 @@ export class Rosbridge {
   }
 
   private connect(): void {
+    this.calledAt = performance.now();
     const socket = (this.socket = new WebSocket(location.origin.replace(/^http/, 'ws') + '/'));
     const listen = <K extends keyof WebSocketEventMap>(kind: K, listener: (event: WebSocketEventMap[K]) => void) =>
       socket.addEventListener(kind, event => {
@@ -92,7 +96,7 @@ export class Rosbridge {
         if (this.socket === socket) listener(event);
       });
     listen('open', () => {
-      this.closed = null;
+      this.closed = this.calledAt = null;
       this.opened();
       for (const topic of this.topics.keys()) this.ask(socket, topic);
     });

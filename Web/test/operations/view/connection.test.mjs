@@ -46,6 +46,22 @@ describe('the connection for joint positions', () => {
     await showsToolError(page);
   });
 
+  it('is stated to be lost if the browser gets no response to its request, and is requested again', async () => {
+    gateway.pace = 0;
+    for (const joint of gateway.state.joints) joint.state = 'rest';
+    gateway.isDeaf = true;
+    const page = await open({ hasVirtualTime: true });
+
+    for (let i = 0; i < 3; i++) {
+      await nextState(page);
+      await page.clock.fastForward(3000);
+    }
+    await becomes(page, '#robot .level', robotMessages.noConnection('').split('since')[0]);
+
+    gateway.isDeaf = false;
+    await showsToolError(page);
+  });
+
   it('stays open while it only receives responses', async () => {
     gateway.turned = null;
     gateway.sets = [null];
