@@ -202,5 +202,10 @@ export class RobotView {
 // Checks for WebGL first, because without it the renderer writes an error to the console.
 function rendererOn(canvas: HTMLCanvasElement): WebGLRenderer | null {
   const context = canvas.getContext('webgl2', { antialias: true });
-  return context ? new WebGLRenderer({ canvas, context }) : null;
+  try {
+    return context && new WebGLRenderer({ canvas, context });
+  } catch {
+    // The browser has created a context that is already lost.
+    return null;
+  }
 }
