@@ -28,6 +28,31 @@ describe('the camera', () => {
     }
   });
 
+  it('comes closer by the ratio of the distances of two fingers that move apart in any direction', () => {
+    const ends = [[1, 0], [0, 1], [0.6, -0.8]].map(([dx, dy]) => {
+      const listeners = {};
+      const orbit = new OrbitCamera({ addEventListener: (kind, listener) => { listeners[kind] = listener; }, setPointerCapture() {} }, () => {});
+      orbit.include(cube(2));
+      orbit.setAspect(1);
+      const before = orbit.camera.position.length();
+      const touch = (kind, pointerId, distance) => listeners[kind]({ pointerId, clientX: 300 + dx * distance, clientY: 300 + dy * distance });
+      touch('pointerdown', 1, -50);
+      touch('pointerdown', 2, 50);
+
+      for (let distance = 50; distance <= 100; distance += 10) {
+        touch('pointermove', 1, -distance);
+        touch('pointermove', 2, distance);
+      }
+
+      const ratio = orbit.camera.position.length() / before;
+      // The camera is not exactly in the direction of the centre, because the corners are centred in the picture.
+      assert.ok(Math.abs(ratio - 0.5) < 0.01, `${[dx, dy]}: ${ratio}`);
+      return orbit.camera.position;
+    });
+
+    for (const end of ends) assert.ok(end.distanceTo(ends[0]) < 1e-9, 'the direction of the fingers has no influence');
+  });
+
   it('comes back to the present objects when it is reset', () => {
     const orbit = opened();
     orbit.include(cube(1));

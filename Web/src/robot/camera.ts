@@ -100,10 +100,10 @@ export class OrbitCamera {
   private drag(event: PointerEvent): void {
     const before = this.fingers.get(event.pointerId);
     if (!before) return;
-    const [x, y] = [event.clientX - before.clientX, event.clientY - before.clientY];
     this.fingers.set(event.pointerId, event);
-    if (this.fingers.size === 1) this.turn(-x * 0.008, y * 0.008, 1);
-    else this.turn(0, 0, 1 - y * 0.005);
+    const other = [...this.fingers.values()].find(finger => finger !== event);
+    if (other) this.turn(0, 0, distance(before, other) / distance(event, other));
+    else this.turn((before.clientX - event.clientX) * 0.008, (event.clientY - before.clientY) * 0.008, 1);
   }
 
   private turn(azimuth: number, elevation: number, zoom: number): void {
@@ -140,4 +140,9 @@ export class OrbitCamera {
     const [left, right, low, top] = [extent('x', -1, wide), extent('x', 1, wide), extent('y', -1, high), extent('y', 1, high)];
     return new Vector3((right - left) / 2, (top - low) / 2, Math.max(CLOSEST_M, (left + right) / (2 * wide), (low + top) / (2 * high)));
   }
+}
+
+/** Distance of two fingers in pixels, at least 1. */
+function distance(a: PointerEvent, b: PointerEvent): number {
+  return Math.max(1, Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY));
 }
