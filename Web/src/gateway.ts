@@ -29,7 +29,8 @@ export async function ask<T>(path: string, fields?: Record<string, string>): Pro
       signal: abortAfter(PATIENCE_MS),
       ...(fields ? { method: 'POST', body: JSON.stringify(fields), headers: { 'Content-Type': 'application/json' } } : {}),
     });
-    if (response.ok) return { value: (await response.json()) as T };
+    const isJson = response.headers.get('content-type')?.startsWith('application/json');
+    if (response.ok && isJson) return { value: (await response.json()) as T };
     return { trouble: await reasonOf(response), status: response.status };
   } catch {
     return { trouble: gatewayReasons.noAnswer, status: 0 };

@@ -63,6 +63,14 @@ describe('the operations page without a current response', () => {
     await becomes(page, '#trouble', operationsMessages.noNewState(gatewayReasons.notFromGateway(404), ''));
   });
 
+  it('does not show a response of a proxy as a state', async () => {
+    const page = await open();
+
+    await page.route('**/operations/state', route => route.fulfill({ status: 200, contentType: 'text/html', body: '<html>Log in</html>' }));
+
+    await becomes(page, '#trouble', operationsMessages.noNewState(gatewayReasons.notFromGateway(200), ''));
+  });
+
   it('states that it cannot show a response, and shows the next one that it can show', async () => {
     const page = await open();
     const { joints } = gateway.state;
