@@ -12,6 +12,9 @@ export function abortAfter(ms: number): AbortSignal {
   return controller.signal;
 }
 
+/** Reason why no response arrives. After a change of a self-signed certificate, a browser refuses connections until the user accepts the new one. */
+export const noAnswer = location.protocol === 'https:' ? gatewayReasons.noAnswerOrCertificate : gatewayReasons.noAnswer;
+
 /** Returns the reason why a request was refused. The gateway states it as plain text, unlike for example a proxy. */
 export async function reasonOf(response: Response): Promise<string> {
   const isPlain = response.headers.get('content-type')?.startsWith('text/plain');
@@ -33,6 +36,6 @@ export async function ask<T>(path: string, fields?: Record<string, string>): Pro
     if (response.ok && isJson) return { value: (await response.json()) as T };
     return { trouble: await reasonOf(response), status: response.status };
   } catch {
-    return { trouble: gatewayReasons.noAnswer, status: 0 };
+    return { trouble: noAnswer, status: 0 };
   }
 }

@@ -2,7 +2,7 @@ import 'uplot/dist/uPlot.min.css';
 import '../report.css';
 import './operations.css';
 import { byId, setText } from '../dom';
-import { ask } from '../gateway';
+import { ask, noAnswer } from '../gateway';
 import { gatewayReasons } from '../messages/gateway';
 import { operationsLabels, operationsMessages } from '../messages/operations';
 import { stateLabels } from '../messages/states';
@@ -162,7 +162,7 @@ function show(state: State): void {
 
 // While a computer sleeps or a browser keeps the page in the background, timers wait and the page requests no state.
 function markOld(): void {
-  if (!isRefused && Date.now() - answeredAt > MAX_AGE_MS) lose(gatewayReasons.noAnswer);
+  if (!isRefused && Date.now() - answeredAt > MAX_AGE_MS) lose(noAnswer);
 }
 
 // Marks the data on the page as stale, so that they are not mistaken for current data.

@@ -1,4 +1,4 @@
-import { abortAfter, reasonOf } from '../gateway';
+import { abortAfter, noAnswer, reasonOf } from '../gateway';
 import { clockCodeReasons } from '../messages/codes';
 import { gatewayReasons } from '../messages/gateway';
 import { ControlClock, MIN_EXCHANGES } from './controlClock';
@@ -43,7 +43,7 @@ export class Exchanges {
   reasonWithoutCode(now: number): string | null {
     const age = this.clock.age(now);
     if (this.problem) return this.problem;
-    if (age > SILENCE_MS) return gatewayReasons.noAnswer;
+    if (age > SILENCE_MS) return noAnswer;
     if (this.clock.count < MIN_EXCHANGES) return clockCodeReasons.exchanges(this.clock.count, MIN_EXCHANGES);
     const { boundMs } = this.clock.at(now)!;
     return boundMs <= MAX_BOUND_MS ? null : clockCodeReasons.boundTooLarge(boundMs, MAX_BOUND_MS);
@@ -74,7 +74,7 @@ export class Exchanges {
       this.clock.add({ t1, t2: BigInt(answer.t2_ns), t3: BigInt(answer.t3_ns), t4, resolutionNs: answer.resolution_ns });
     } catch {
       // The gateway is not reachable or too slow. This is reported when the newest exchange is too old.
-      if (this.clock.age(performance.now()) > SILENCE_MS) this.fail(gatewayReasons.noAnswer);
+      if (this.clock.age(performance.now()) > SILENCE_MS) this.fail(noAnswer);
     }
   }
 

@@ -71,6 +71,17 @@ describe('the operations page without a current response', () => {
     await becomes(page, '#trouble', operationsMessages.noNewState(gatewayReasons.notFromGateway(200), ''));
   });
 
+  it('states that the certificate may have changed if it was loaded over TLS', async () => {
+    const page = await open();
+    const body = await (await fetch(gateway.address)).text();
+    await page.route('https://cell-pc/**', route => route.abort());
+    await page.route('https://cell-pc/operations', route => route.fulfill({ contentType: 'text/html', body }));
+
+    await page.goto('https://cell-pc/operations');
+
+    await becomes(page, '#trouble', operationsMessages.noNewState(gatewayReasons.noAnswerOrCertificate, ''));
+  });
+
   it('states that it cannot show a response, and shows the next one that it can show', async () => {
     const page = await open();
     const { joints } = gateway.state;
