@@ -211,6 +211,25 @@ describe('the page of the control clock\'s code', () => {
     assertRight(await sight(page));
   });
 
+  it('keeps the screen on in full screen, also after the page was hidden', async () => {
+    const page = await open(await (gateway = new ClockGateway()).start());
+    await page.evaluate(() => {
+      window.locks = 0;
+      const request = async () => (window.locks++, { release: async () => void window.locks-- });
+      Object.defineProperty(navigator, 'wakeLock', { value: { request } });
+    });
+    const locksBecome = count => page.waitForFunction(count => window.locks === count, count);
+
+    await page.click('#full-screen');
+    await locksBecome(1);
+    // The browser ends the lock of a page that it hides.
+    await page.evaluate(() => { window.locks = 0; document.dispatchEvent(new Event('visibilitychange')); });
+    await locksBecome(1);
+    await page.click('#full-screen');
+
+    await locksBecome(0);
+  });
+
   it('shows the control time in a browser without full screen and without a timeout for requests', async () => {
     const page = await open(await (gateway = new ClockGateway()).start());
     await page.addInitScript(() => {

@@ -18,6 +18,7 @@ const form = byId<HTMLFormElement>('token');
 const input = form.querySelector('input')!;
 const light = canvas.getContext('2d', { alpha: false })!;
 const monitor = new Monitor();
+let wakeLock: WakeLockSentinel | undefined;
 const exchanges = new Exchanges(() => {
   form.hidden = false;
 });
@@ -79,8 +80,12 @@ async function toggleFullScreen(): Promise<void> {
   if (document.fullscreenElement) return document.exitFullscreen();
   // An iPhone has no full screen.
   await document.documentElement.requestFullscreen?.();
-  // Keeps the screen on, because a dimmed screen cannot be read. Some browsers have no wake lock, and no browser has one over plain HTTP.
-  await navigator.wakeLock?.request('screen').catch(() => undefined);
+  await keepScreenOn();
+}
+
+/** Keeps the screen on, because a dimmed screen cannot be read. Some browsers have no wake lock, and no browser has one over plain HTTP. */
+async function keepScreenOn(): Promise<void> {
+  wakeLock = await navigator.wakeLock?.request('screen').catch(() => undefined);
 }
 
 form.addEventListener('submit', event => {
@@ -88,6 +93,15 @@ form.addEventListener('submit', event => {
   exchanges.authorise(input.value);
   input.value = '';
   form.hidden = true;
+});
+// A wake lock ends when the page is hidden.
+document.addEventListener('visibilitychange', () => {
+  if (wakeLock && !document.hidden) void keepScreenOn();
+});
+document.addEventListener('fullscreenchange', () => {
+  if (document.fullscreenElement) return;
+  void wakeLock?.release();
+  wakeLock = undefined;
 });
 showButton.addEventListener('click', () => setShown(true));
 hideButton.addEventListener('click', () => setShown(false));
