@@ -88,10 +88,15 @@ async function read(): Promise<void> {
   if (own !== asked) return;
   answeredAt = Date.now();
   isRefused = 'trouble' in answer && answer.status === 401;
+  // Before the form is hidden, because it moves the focus to the content.
+  if ('value' in answer) byId('content').hidden = false;
   login.show(isRefused, 'value' in answer ? (answer.value.is_logged_in ?? false) : !isRefused && login.isLoggedIn);
   if (isRefused) {
     link.close();
     hidePairing();
+    // The next person at a shared computer must not see the data.
+    byId('content').hidden = byId('alarms').hidden = true;
+    seen = '';
   }
   if ('value' in answer) {
     reloadIfUpdated(answer.value);

@@ -2,9 +2,9 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { messages } from '../messages.mjs';
-import { becomes, gateway, open } from './page.mjs';
+import { ago, becomes, gateway, open } from './page.mjs';
 
-const { operationsMessages, robotMessages } = messages;
+const { gatewayReasons, operationsMessages, robotMessages } = messages;
 
 describe('the log-in', () => {
   it('is needed if the gateway requires a token, and then all data are shown', async () => {
@@ -33,7 +33,25 @@ describe('the log-in', () => {
     await page.waitForSelector('#login', { state: 'visible' });
     assert.equal(await page.evaluate(() => document.activeElement.id), 'token-text', 'the focus is not lost');
     assert.equal(await page.locator('#token svg').count(), 0, 'the code is secret');
-    assert.ok((await page.textContent('#trouble')).startsWith(operationsMessages.loggedOut));
+    assert.equal(await page.textContent('#trouble'), operationsMessages.loggedOut);
+    assert.ok(await page.locator('#content').isHidden(), 'the next person must not see the data');
+  });
+
+  it('leaves no data on the page after a log-out, also if the gateway then does not respond', async () => {
+    gateway.token = 'open-sesame';
+    gateway.state.events = [{ id: 7, kind: 'joint', which: 'arm_joint_3', what: 'is refused', reason: '', level: 'error', since_utc: ago(95) }];
+    const page = await open({}, false);
+    await page.fill('#token-text', 'open-sesame');
+    await page.keyboard.press('Enter');
+    await page.waitForSelector('#alarms', { state: 'visible' });
+
+    await page.click('#logout');
+    await page.waitForSelector('#login', { state: 'visible' });
+    await page.route('**/operations/state', route => route.abort());
+    await page.evaluate(() => document.dispatchEvent(new Event('visibilitychange')));
+    await becomes(page, '#trouble', operationsMessages.noNewState(gatewayReasons.noAnswer, ''));
+
+    for (const part of ['#content', '#alarms']) assert.ok(await page.locator(part).isHidden(), part);
   });
 
   it('is not preceded by a message about the connection for joint positions', async () => {
