@@ -144,7 +144,7 @@ function show(state: State): void {
   byId('pairing').hidden = !state.pairs_headsets;
   const shown = (state.headsets ?? []).map(withoutOld);
   headsets.show(shown);
-  if (state.control_time_s != null) robot.setTime(state.control_time_s);
+  if (state.control_time_s != null) robot.setTime(state.control_time_s, state.clock?.steps ?? null);
   robot.setJoints(state.joints ?? []);
   robot.setFrames(state.frames ?? []);
   const chosen = shown.find(h => h.name === headsets.chosen) ?? null;

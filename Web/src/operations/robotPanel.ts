@@ -73,9 +73,12 @@ export class RobotPanel {
     else this.animate();
   }
 
-  /** @param control Current control time of the gateway, s. */
-  setTime(control: number): void {
-    this.clock.add(control, seconds());
+  /**
+   * @param control Current control time of the gateway, s.
+   * @param steps Number of steps of the control clock; null if the gateway does not count them.
+   */
+  setTime(control: number, steps: number | null): void {
+    this.clock.add(control, seconds(), steps);
   }
 
   /** Selects the headset whose displayed pose is drawn over the robot. */
