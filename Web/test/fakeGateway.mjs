@@ -89,6 +89,8 @@ export class FakeGateway {
   sets = [JOINTS];
   /** Angle between the pose that "left door" displays and the true pose, rad; null if the headset does not report it. */
   turned = 0.1;
+  /** Number of intervals of the samples between two reports of a headset. */
+  reportEvery = 1;
   /** Namespace of the robot that "left door" displays; empty for the robot without a namespace. */
   displayedRobot = '';
   token = null;
@@ -179,7 +181,7 @@ export class FakeGateway {
     if (moving.length > 0) this.send('/tf', transforms(t, moving));
     for (const robot of this.robots) this.send(`/${robot}/joint_states`, jointState(`/${robot}/joint_states`, t, truth, '', JOINTS));
     for (const [name, turned] of [['left door', this.turned], ['right door', 1]]) {
-      if (turned === null) continue;
+      if (turned === null || this.ticks % this.reportEvery !== 0) continue;
       const light = this.now + 0.04, [first, ...rest] = swing(this.pace * light, this.rest);
       this.send('/nowpose/displayed', jointState('/nowpose/displayed', light, [first + turned, ...rest], name,
         JOINTS.map(joint => (name === 'left door' && this.displayedRobot ? `${this.displayedRobot}/${joint}` : joint))));

@@ -64,6 +64,16 @@ describe('joints published in overlapping sets', () => {
     }
   });
 
+  it('have no position in a gap that is longer than the given maximum, or as long after the last sample', () => {
+    const tracks = new JointTracks(5, () => false, 0.25);
+    for (const time of [1, 1.2, 1.6]) tracks.add(time, ['a'], [time]);
+
+    assert.ok(Math.abs(at(tracks.at(1.1)).a - 1.1) < 1e-9);
+    assert.equal(tracks.at(1.4), null);
+    assert.deepEqual(at(tracks.at(1.8)), { a: 1.6 });
+    assert.equal(tracks.at(1.9), null);
+  });
+
   it('have no position in a gap between two samples', () => {
     const tracks = new JointTracks(5);
     tracks.add(1, ['a', 'b'], [1, 1]);

@@ -17,6 +17,9 @@ import { localTime } from './times';
  */
 const BEHIND_S = 0.5;
 const KEEP_S = 5;
+/** Interval between two reports of a headset, in seconds, above which the pose between them is unknown. A headset sends up to 20 per second. */
+const MAX_REPORT_GAP_S = 0.25;
+
 const TRANSFORMS = 'tf2_msgs/msg/TFMessage';
 const NUMBERS_MS = 500;
 
@@ -36,7 +39,7 @@ export class RobotPanel {
   private readonly unknown = el('p', { class: 'level warning', hidden: true });
   private readonly objects = el('p', { class: 'level warning', hidden: true });
   private readonly truth = new JointTracks(KEEP_S, joint => this.rests.has(joint));
-  private readonly displayed = new JointTracks(KEEP_S);
+  private readonly displayed = new JointTracks(KEEP_S, undefined, MAX_REPORT_GAP_S);
   /** Namespace of the robot in the reports of the selected headset, empty for the robot without a namespace; null before the first report. */
   private reportedRobot: string | null = null;
   private readonly clock = new LiveClock();
@@ -200,7 +203,7 @@ export class RobotPanel {
     // Without the connection, the newest positions that have arrived are not the robot's present ones.
     if (this.link.closedAt) return { truth: null, displayed: null, hold: null };
     const isDisplayed = robot === this.displayedRobot;
-    return { truth: truth.at(time), displayed: isDisplayed ? this.recent(time) : null, hold: isDisplayed ? this.held(truth, time) : null };
+    return { truth: truth.at(time), displayed: isDisplayed ? this.displayed.at(time) : null, hold: isDisplayed ? this.held(truth, time) : null };
   }
 
   // Names what makes the drawing incomplete: the lost connection, or the joints without a current position. A joint that is drawn at 0 or at its last
@@ -224,11 +227,6 @@ export class RobotPanel {
     const { names, others } = this.frames.notDrawn();
     this.objects.hidden = names.length === 0;
     setText(this.objects, names.length === 0 ? '' : robotMessages.objectsNotDrawn(names, others));
-  }
-
-  // Returns the displayed pose; null if the headset has not reported recently.
-  private recent(time: number) {
-    return this.displayed.endBefore(time - 0.5) ? null : this.displayed.at(time);
   }
 
   // Returns the newest samples that had arrived at that time, computed from the latencies that the headset measured.

@@ -4,8 +4,8 @@ import { type Place, Track } from './track';
 const MAX_JOINTS = 512;
 
 /**
- * Interval between two samples of a joint, in seconds, above which its position between them is unknown unless it rests. The gateway's limit is the
- * same.
+ * Interval between two samples of a joint, in seconds, above which its true position between them is unknown unless it rests. The gateway's limit is
+ * the same.
  */
 const MAX_GAP = 1.8;
 
@@ -25,10 +25,12 @@ export class JointTracks {
   /**
    * @param keep Length of the stored history in seconds.
    * @param isAtRest Returns whether a joint without new samples is known to stay at its position.
+   * @param maxGap Interval between two samples, in seconds, above which the position between them is unknown.
    */
   constructor(
     private readonly keep: number,
     private readonly isAtRest: (joint: string) => boolean = () => false,
+    private readonly maxGap = MAX_GAP,
   ) {}
 
   /** Whether the samples of all joints end before a time, except those of joints at rest. False without samples. */
@@ -42,7 +44,7 @@ export class JointTracks {
       if (!Number.isFinite(positions[i])) return;
       const track = this.trackOf(name);
       const rest = track.at(Infinity);
-      if (rest && time - rest.toTime > MAX_GAP && this.isAtRest(name)) track.add(time - START, rest.to);
+      if (rest && time - rest.toTime > this.maxGap && this.isAtRest(name)) track.add(time - START, rest.to);
       track.add(time, positions[i]);
     });
   }
@@ -86,8 +88,8 @@ export class JointTracks {
     const pose: Pose = { names: [], positions: [] };
     for (const [name, track] of this.tracks) {
       const place = track.at(time);
-      if (!place || (time > place.fromTime && place.toTime - place.fromTime > MAX_GAP && place.from !== place.to)) continue;
-      if (time - place.toTime > MAX_GAP && !this.isAtRest(name)) continue;
+      if (!place || (time > place.fromTime && place.toTime - place.fromTime > this.maxGap && place.from !== place.to)) continue;
+      if (time - place.toTime > this.maxGap && !this.isAtRest(name)) continue;
       pose.names.push(name);
       pose.positions.push(of(place));
     }

@@ -102,4 +102,14 @@ describe('a robot', () => {
     Object.assign(gateway.state.joints.at(-JOINTS.length), { state: 'stale', reason: 'samples stopped arriving' });
     await becomes(page, '.apart', robotMessages.toolUnknown);
   });
+
+  it('is not compared between two reports of the headset that are far apart', async () => {
+    gateway.turned = 0;
+    const page = await open();
+    await showsToolError(page);
+
+    gateway.reportEvery = 4;
+
+    await becomes(page, '.apart', robotMessages.toolError('left door', null, 5).split(';')[0]);
+  });
 });
