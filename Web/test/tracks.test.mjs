@@ -19,7 +19,7 @@ describe('joints published in overlapping sets', () => {
 
     assert.deepEqual(at(tracks.at(3.5)), { a: 3.5, b: 35 });
     assert.deepEqual(at(tracks.heldAt(3.5)), { a: 3, b: 30 });
-    assert.deepEqual([tracks.endBefore(4), tracks.endBefore(4.1)], [false, true]);
+    assert.deepEqual([tracks.endBefore(4, ['a', 'b']), tracks.endBefore(4.1, ['a', 'b'])], [false, true]);
   });
 
   it('are interpolated between their own samples', () => {
@@ -64,6 +64,16 @@ describe('joints published in overlapping sets', () => {
     }
   });
 
+  it('end with the first of the joints that are asked for', () => {
+    const tracks = new JointTracks(5);
+    tracks.add(1, ['a', 'b'], [1, 1]);
+    tracks.add(2, ['b'], [2]);
+
+    assert.ok(tracks.endBefore(1.5, ['a', 'b']));
+    assert.ok(!tracks.endBefore(1.5, ['b']), 'another joint is not needed');
+    assert.ok(!tracks.endBefore(1.5, ['c']), 'a joint without samples has no end');
+  });
+
   it('have no position in a gap that is longer than the given maximum, or as long after the last sample', () => {
     const tracks = new JointTracks(5, () => false, 0.25);
     for (const time of [1, 1.2, 1.6]) tracks.add(time, ['a'], [time]);
@@ -99,9 +109,9 @@ describe('joints published in overlapping sets', () => {
     assert.deepEqual(at(tracks.at(10.5)), { a: 1, c: 1 }, 'c has the same position before and after the gap');
     assert.deepEqual(at(tracks.at(11)), { a: 2, b: 2, c: 1 });
     assert.deepEqual(at(tracks.at(60)), { a: 2 }, 'after the last sample, too');
-    assert.ok(tracks.endBefore(12));
+    assert.ok(tracks.endBefore(12, ['a', 'b', 'c']));
     rests.add('b').add('c');
-    assert.ok(!tracks.endBefore(12), 'joints at rest need no newer samples');
+    assert.ok(!tracks.endBefore(12, ['a', 'b', 'c']), 'joints at rest need no newer samples');
   });
 
   it('follow a source whose clock was set back', () => {
@@ -113,7 +123,7 @@ describe('joints published in overlapping sets', () => {
     tracks.add(5, ['a'], [7]);
 
     assert.deepEqual(at(tracks.at(5)), { a: 7 });
-    assert.ok(tracks.endBefore(5.1));
+    assert.ok(tracks.endBefore(5.1, ['a']));
   });
 
   it('ignore missing positions', () => {

@@ -185,9 +185,8 @@ export class RobotPanel {
       if (posed.has(robot)) return;
       posed.add(robot);
       const { bodies, tracks } = this.find(robot);
-      const inCell = (name: string) => (robot === '' ? name : `${robot}/${name}`);
-      bodies?.place(this.frames.baseAt(inCell(bodies.rootName), time, linkOf));
-      bodies?.show(this.posesOf(robot, tracks, time), joint => this.current.has(inCell(joint)));
+      bodies?.place(this.frames.baseAt(inCell(robot, bodies.rootName), time, linkOf));
+      bodies?.show(this.posesOf(robot, tracks, time), joint => this.current.has(inCell(robot, joint)));
     };
     for (const robot of ['', ...this.others.names]) place(robot);
     return linkOf;
@@ -248,10 +247,16 @@ export class RobotPanel {
       return name ? robotMessages.toolError(name, null, null) : robotMessages.noHeadset;
     }
     if (!bodies.group.visible) return robotMessages.baseUnknown;
-    // After the last sample, the true position is not known.
-    if (tracks.endBefore(time)) return robotMessages.late;
+    // After the last sample of a joint, the true position is not known. A joint that is not current has its own message.
+    const joints = bodies.toolJoints.filter(joint => this.current.has(inCell(robot!, joint)));
+    if (tracks.endBefore(time, joints)) return robotMessages.late;
     if (!name) return robotMessages.noHeadset;
     if (!bodies.isToolDrawn('truth')) return robotMessages.toolUnknown;
     return robotMessages.toolError(name, bodies.distance('displayed', 'truth'), bodies.distance('hold', 'truth'));
   }
+}
+
+/** Returns the cell-wide name of a joint or link of a robot. */
+function inCell(robot: string, name: string): string {
+  return robot === '' ? name : `${robot}/${name}`;
 }

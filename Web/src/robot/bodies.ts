@@ -14,7 +14,7 @@ import {
 import { colour, type Ink } from '../theme';
 import { MAX_DISTANCE_M } from './camera';
 import type { Pose } from './tracks';
-import { isDrawn, linkOf, movingJoints, paint, readUrdf, type Robot, setJoints, showKnown, toolPosition } from './urdf';
+import { isDrawn, linkOf, movingJoints, paint, readUrdf, type Robot, setJoints, showKnown, toolJoints, toolPosition } from './urdf';
 
 /** Poses of a robot that can be drawn together. */
 export type Part = 'truth' | 'displayed' | 'hold';
@@ -66,6 +66,11 @@ export class Bodies {
   /** Joints of the robot that need positions. */
   get joints(): string[] {
     return movingJoints(this.robots.truth);
+  }
+
+  /** Joints on which the position of the tool depends. */
+  get toolJoints(): string[] {
+    return toolJoints(this.robots.truth);
   }
 
   /** Name of the root link. A frame with this name moves the robot. */

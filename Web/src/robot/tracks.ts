@@ -33,10 +33,9 @@ export class JointTracks {
     private readonly maxGap = MAX_GAP,
   ) {}
 
-  /** Whether the samples of all joints end before a time, except those of joints at rest. False without samples. */
-  endBefore(time: number): boolean {
-    const moving = [...this.tracks].filter(([name]) => !this.isAtRest(name));
-    return moving.length > 0 && moving.every(([, track]) => track.last! < time);
+  /** Returns whether the samples of one of the joints end before a time, except those of joints at rest and of joints without samples. */
+  endBefore(time: number, joints: string[]): boolean {
+    return joints.some(name => !this.isAtRest(name) && this.tracks.has(name) && this.tracks.get(name)!.last! < time);
   }
 
   add(time: number, names: string[], positions: ArrayLike<number>): void {

@@ -67,6 +67,17 @@ export function isDrawn(object: Object3D): boolean {
   return true;
 }
 
+/** Returns the names of the joints on which the position of the tool depends. */
+export function toolJoints({ tool }: Robot): string[] {
+  return movingAbove(tool).map(joint => masterOf(joint) ?? joint.name);
+}
+
+function movingAbove(link: Object3D): URDFJoint[] {
+  const joints: URDFJoint[] = [];
+  for (let at: Object3D | null = link; at; at = at.parent) if (MOVING.includes((at as Partial<URDFJoint>).jointType!)) joints.push(at as URDFJoint);
+  return joints;
+}
+
 function masterOf(joint: URDFJoint): string | null {
   return (joint as { mimicJoint?: string }).mimicJoint ?? null;
 }
@@ -79,14 +90,7 @@ export function toolPosition(robot: Robot, into = new Vector3()): Vector3 {
 function toolOf(root: URDFRobot): Object3D {
   const named = TOOLS.find(name => has(root.links, name));
   if (named) return root.links[named];
-  const depth = (link: Object3D): number => {
-    let moving = 0;
-    for (let at: Object3D | null = link; at; at = at.parent) {
-      const type = (at as { jointType?: string }).jointType;
-      if (type && MOVING.includes(type)) moving++;
-    }
-    return moving;
-  };
+  const depth = (link: Object3D) => movingAbove(link).length;
   const leaves = Object.values(root.links).filter(link => !link.children.some(child => 'jointType' in child));
   return leaves.reduce((best, leaf) => (depth(leaf) > depth(best) ? leaf : best), leaves[0] ?? root);
 }

@@ -112,4 +112,14 @@ describe('a robot', () => {
 
     await becomes(page, '.apart', robotMessages.toolError('left door', null, 5).split(';')[0]);
   });
+
+  it('is not compared while one of the joints above its tool has no new positions', async () => {
+    gateway.turned = 0;
+    const page = await open();
+    await showsToolError(page);
+
+    gateway.sets = [JOINTS.slice(4)];
+
+    await becomes(page, '.apart', robotMessages.late);
+  });
 });
