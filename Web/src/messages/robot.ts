@@ -32,6 +32,8 @@ export const robotMessages = {
     + 'If it does not, look for an alarm about the maximum number of connections, and check the network. '
     + 'An iPad or iPhone must also trust the certificate of the gateway.',
   baseUnknown: 'The robot is not drawn, because the pose of its base is not known.',
+  /** @param names The root links of the robots. */
+  basesUnknown: (names: string[]) => `Robots that are not drawn, because the poses of their bases are not known: ${names.join(', ')}.`,
   noHeadset: 'No headset is shown.',
   toolUnknown: 'The position of the tool is not known, because the position of a joint is not known.',
   /** @param displayedMm Tool error of the displayed pose; null if the headset does not report the pose. The same applies to `heldMm`. */

@@ -205,21 +205,35 @@ export class RobotPanel {
     return { truth: truth.at(time), displayed: isDisplayed ? this.displayed.at(time) : null, hold: isDisplayed ? this.held(truth, time) : null };
   }
 
-  // Names what makes the drawing incomplete: the lost connection, or the joints without a current position. A joint that is drawn at 0 or at its last
-  // position could be mistaken for the truth.
+  // Names what makes the drawing incomplete: the lost connection, bases without a known pose, or joints without a current position. A joint that is drawn
+  // at 0 or at its last position could be mistaken for the truth.
   private showUnknown(time: number): void {
-    const received = new Set(this.truth.at(time)?.names);
-    const reasons = (this.view.bodies?.joints ?? [])
-      .filter(joint => !received.has(joint) || !this.current.has(joint))
-      .map(joint => {
-        if (!received.has(joint)) return this.truth.has(joint) ? jointReasons.noData(joint) : jointReasons.notReceived(joint);
-        const state = this.faults.get(joint);
-        return state === undefined ? jointReasons.notPublished(joint) : jointReasons.inState(joint, state);
-      });
+    const robots = [...new Set(['', ...this.robots.values()])];
+    const bases = robots.flatMap(robot => {
+      const { bodies } = this.find(robot);
+      return bodies && !bodies.group.visible ? [inCell(robot, bodies.rootName)] : [];
+    });
+    const joints = robots.flatMap(robot => this.unknownJoints(robot, time));
     const { closedAt } = this.link;
-    const text = closedAt ? robotMessages.noConnection(localTime(closedAt)) : reasons.length === 0 ? '' : robotMessages.linksNotDrawn(reasons);
+    const texts = [bases.length > 0 && robotMessages.basesUnknown(bases), joints.length > 0 && robotMessages.linksNotDrawn(joints)];
+    const text = closedAt ? robotMessages.noConnection(localTime(closedAt)) : texts.filter(Boolean).join(' ');
     this.unknown.hidden = text === '';
     setText(this.unknown, text);
+  }
+
+  // Returns the reasons why the positions of joints of a drawn robot are not known.
+  private unknownJoints(robot: string, time: number): string[] {
+    const { bodies, tracks } = this.find(robot);
+    if (!bodies?.group.visible) return [];
+    const received = new Set(tracks.at(time)?.names);
+    return bodies.joints
+      .filter(joint => !received.has(joint) || !this.current.has(inCell(robot, joint)))
+      .map(joint => {
+        const name = inCell(robot, joint);
+        if (!received.has(joint)) return tracks.has(joint) ? jointReasons.noData(name) : jointReasons.notReceived(name);
+        const state = this.faults.get(name);
+        return state === undefined ? jointReasons.notPublished(name) : jointReasons.inState(name, state);
+      });
   }
 
   private showNotDrawn(): void {
@@ -240,7 +254,6 @@ export class RobotPanel {
     const robot = this.displayedRobot;
     const { bodies, tracks } = robot === null ? { bodies: null, tracks: this.truth } : this.find(robot);
     if (this.link.closedAt) return '';
-    if (this.view.bodies && !this.view.bodies.group.visible) return robotMessages.baseUnknown;
     if (!bodies) {
       if (name && robot) return robotMessages.displaysUnknown(name, robot);
       if (robot !== null || (!this.view.bodies && !this.others.isAnyShown)) return robotMessages.noDescription;

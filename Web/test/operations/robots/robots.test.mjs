@@ -6,7 +6,7 @@ import { JOINTS } from '../../fakeGateway.mjs';
 import { messages } from '../../messages.mjs';
 import { becomes, bodiesDrawn, gateway, nextState, open, openWithOneBody, showsToolError, withGraphics } from '../page.mjs';
 
-const { robotMessages } = messages;
+const { jointReasons, robotMessages } = messages;
 
 describe('a robot', () => {
   withGraphics();
@@ -101,16 +101,18 @@ describe('a robot', () => {
 
     Object.assign(gateway.state.joints.at(-JOINTS.length), { state: 'stale', reason: 'samples stopped arriving' });
     await becomes(page, '.apart', robotMessages.toolUnknown);
+    await becomes(page, '#robot .level', jointReasons.inState('arm2/arm_joint_1', 'stale'));
   });
 
-  it('is not compared between two reports of the headset that are far apart', async () => {
-    gateway.turned = 0;
+  it('in a namespace is compared although the base of another robot is not known, which is named', async () => {
+    gateway.robots = ['arm2'];
+    for (const joint of JOINTS) gateway.state.joints.push({ ...gateway.state.joints[0], name: `arm2/${joint}` });
+    gateway.displayedRobot = 'arm2';
+    gateway.state.frames.push({ name: 'arm_link_0', parent: 'world', source: 'tracker', state: 'stale', age_s: 60, reason: 'its poses stopped' });
     const page = await open();
+
+    await becomes(page, '#robot .level', robotMessages.basesUnknown(['arm_link_0']));
     await showsToolError(page);
-
-    gateway.reportEvery = 4;
-
-    await becomes(page, '.apart', robotMessages.toolError('left door', null, 5).split(';')[0]);
   });
 
   it('is not compared while one of the joints above its tool has no new positions', async () => {
@@ -121,5 +123,15 @@ describe('a robot', () => {
     gateway.sets = [JOINTS.slice(4)];
 
     await becomes(page, '.apart', robotMessages.late);
+  });
+
+  it('is not compared between two reports of the headset that are far apart', async () => {
+    gateway.turned = 0;
+    const page = await open();
+    await showsToolError(page);
+
+    gateway.reportEvery = 4;
+
+    await becomes(page, '.apart', robotMessages.toolError('left door', null, 5).split(';')[0]);
   });
 });
