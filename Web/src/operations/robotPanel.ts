@@ -148,8 +148,9 @@ export class RobotPanel {
 
   private animate(): void {
     const next = () => {
-      if (performance.now() - this.drawn >= PICTURE_MS) this.draw();
+      // First, so that the view goes on after a picture that throws an exception.
       this.animate();
+      if (performance.now() - this.drawn >= PICTURE_MS) this.draw();
     };
     if (this.view.isVisible) requestAnimationFrame(next);
     else setTimeout(next, HIDDEN_MS);

@@ -134,4 +134,16 @@ describe('a robot', () => {
 
     await becomes(page, '.apart', robotMessages.toolError('left door', null, 5).split(';')[0]);
   });
+
+  it('is compared again after an exception while it was drawn', async () => {
+    const page = await open();
+    await showsToolError(page, 40);
+    await page.evaluate(() => Object.defineProperty(document.querySelectorAll('#robot .level')[1], 'hidden', {
+      configurable: true, set() { delete this.hidden; throw new Error('once'); },
+    }));
+
+    gateway.turned = 0;
+
+    await showsToolError(page, 0, 5);
+  });
 });
