@@ -21,7 +21,7 @@ interface LiveTrace {
   look: Look;
 }
 
-/** Plots the last two minutes, with one value per trace and second. */
+/** Plots the last two minutes, with two values per trace and second. */
 export class LivePlot {
   readonly element: HTMLElement;
   private readonly chart: Chart;

@@ -19,7 +19,7 @@ export interface State {
   events?: StatusEvent[];
   headsets?: Headset[];
   forward_ms?: { p50: number; p99: number } | null;
-  connections?: Record<string, { open: number; accepted: number }>;
+  connections?: Record<string, { open: number }>;
   drops?: Record<string, number>;
   recording?: Recording | null;
   pairs_headsets?: boolean;
@@ -97,9 +97,7 @@ interface ClockState {
   state: string;
   estimated_error_us?: number | null;
   error_bound_us?: number | null;
-  skew_ppm?: number | null;
-  rtt_ms?: number | null;
-  resolution_us?: number | null;
+  /** Number of steps of the clock since the gateway started. */
   steps?: number | null;
 }
 
@@ -114,7 +112,6 @@ export interface PlantClock {
   estimated_error_us?: number | null;
   error_bound_us?: number | null;
   resolution_us?: number | null;
-  exchanges?: number;
   failures?: number;
   last_failure?: string | null;
 }

@@ -29,17 +29,16 @@ export class Objects {
   private readonly cubes: Record<Part, Mesh[]>;
   private readonly materials: Record<Part, MeshPhongMaterial>;
   private readonly stands = new LineBasicMaterial();
-  private readonly geometry: BoxGeometry;
 
   constructor(private readonly data: ObjectsData) {
-    this.geometry = new BoxGeometry(data.size, data.size, data.size);
+    const shape = new BoxGeometry(data.size, data.size, data.size);
     const each = <T>(make: (part: Part) => T) => ({ truth: make('truth'), displayed: make('displayed'), hold: make('hold') });
     this.materials = each(
       part => new MeshPhongMaterial({ transparent: PARTS[part].opacity < 1, opacity: PARTS[part].opacity, ...(PARTS[part].opacity < 1 ? BACK : {}) }),
     );
     this.cubes = each(part =>
       data.names.map(() => {
-        const cube = new Mesh(this.geometry, this.materials[part]);
+        const cube = new Mesh(shape, this.materials[part]);
         cube.renderOrder = PARTS[part].place;
         this.group.add(cube);
         return cube;
@@ -88,13 +87,6 @@ export class Objects {
   recolour(): void {
     for (const part of ALL) this.materials[part].color = new Color(colour(PARTS[part].ink));
     this.stands.color = new Color(colour('--muted'));
-  }
-
-  /** Releases the graphics memory. The object cannot be used afterwards. */
-  dispose(): void {
-    this.group.traverse(object => (object as Partial<Line>).geometry?.dispose());
-    for (const part of ALL) this.materials[part].dispose();
-    this.stands.dispose();
   }
 }
 

@@ -31,6 +31,7 @@ export class RobotView {
   private readonly note = el('p', { class: 'missing', hidden: true });
   private readonly interruption = el('p', { class: 'missing', hidden: true }, robotMessages.interrupted);
   private readonly scene = new Scene();
+  private floor: GridHelper | null = null;
   private readonly renderer: WebGLRenderer | null;
   private readonly orbit: OrbitCamera | null = null;
   private readonly canvas: HTMLCanvasElement;
@@ -175,15 +176,10 @@ export class RobotView {
     this.bodiesShown?.recolour();
     for (const others of this.others) others.recolour?.();
     this.scene.background = new Color(colour('--surface'));
-    this.scene.children
-      .filter(child => child instanceof GridHelper)
-      .forEach(grid => {
-        this.scene.remove(grid);
-        (grid as GridHelper).dispose();
-      });
-    const floor = new GridHelper(4, 20, colour('--muted'), colour('--grid'));
-    floor.rotation.x = Math.PI / 2;
-    this.scene.add(floor);
+    this.floor?.removeFromParent().dispose();
+    this.floor = new GridHelper(4, 20, colour('--muted'), colour('--grid'));
+    this.floor.rotation.x = Math.PI / 2;
+    this.scene.add(this.floor);
     this.ask();
   }
 
