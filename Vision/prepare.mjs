@@ -5,6 +5,6 @@ import { prepare } from '../Web/preparation.mjs';
 
 process.exitCode = await prepare({
   folder: dirname(fileURLToPath(import.meta.url)),
-  sources: ['src', 'package-lock.json', 'bundle.mjs', 'prepare.mjs', '../Web/preparation.mjs'],
+  sources: ['src'],
   outputs: ['worker.mjs', 'opencv.wasm', 'worker-licences.txt'],
 });

@@ -5,6 +5,7 @@ import { execSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
 
 const unavailable = 3;
 
@@ -53,13 +54,14 @@ function install(folder) {
 
 function isCurrent(folder, sources, outputs) {
   const results = outputs.map(name => join(folder, 'dist', name));
-  const changed = Math.max(...sources.map(s => newest(join(folder, s))));
+  const all = [...sources, 'package-lock.json', 'bundle.mjs', 'prepare.mjs'].map(name => join(folder, name)).concat(fileURLToPath(import.meta.url));
+  const changed = Math.max(...all.map(newest));
   return results.every(path => existsSync(path) && statSync(path).mtimeMs >= changed);
 }
 
 /**
  * Bundles a folder with package.json and bundle.mjs if its bundle is missing or outdated.
- * @param sources Files and folders that the bundle depends on.
+ * @param sources Files and folders that the bundle depends on, in addition to those that all bundles depend on (see bundling.targets).
  * @param outputs Files that bundle.mjs writes to dist.
  */
 export async function prepare({ folder, sources, outputs }) {

@@ -5,6 +5,6 @@ import { prepare } from './preparation.mjs';
 
 process.exitCode = await prepare({
   folder: dirname(fileURLToPath(import.meta.url)),
-  sources: ['src', 'package-lock.json', 'bundle.mjs', 'prepare.mjs', 'preparation.mjs'],
+  sources: ['src'],
   outputs: ['report.html', 'figures.html', 'calibration.html', 'vlc.html', 'pairing.html', 'operations.html'],
 });

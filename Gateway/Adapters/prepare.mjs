@@ -9,7 +9,6 @@ const { properties } = JSON.parse(readFileSync(new URL('plant.schema.json', impo
 
 process.exitCode = await prepare({
   folder: dirname(fileURLToPath(import.meta.url)),
-  sources: ['src', 'licences', 'plant.schema.json', 'package-lock.json', 'bundle.mjs', 'loading.mjs', 'prepare.mjs', '../../Web/preparation.mjs',
-    '../../Packages/com.nowpose.mril/Runtime/Robots'],
+  sources: ['src', 'licences', 'plant.schema.json', 'loading.mjs', '../../Packages/com.nowpose.mril/Runtime/Robots'],
   outputs: [...['plant', ...properties.plant.properties.kind.enum].map(name => `${name}.mjs`), 'plant.schema.json', 'plantFiles.d.ts', 'adapter-licences.txt'],
 });
