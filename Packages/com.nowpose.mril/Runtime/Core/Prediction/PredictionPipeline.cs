@@ -39,7 +39,7 @@ namespace Nowpose.Prediction
         }
 
         /// <summary>Whether no sample has been added.</summary>
-        public bool IsEmpty => double.IsNegativeInfinity(_motions[0].NewestTime);
+        public bool IsEmpty => double.IsNegativeInfinity(NewestTime);
 
         /// <summary>The newest sample, even if it is left out; <c>default</c> before the first.</summary>
         public TSample Newest => _buffer.Newest;
@@ -48,7 +48,7 @@ namespace Nowpose.Prediction
         public double NewestStamp => _buffer.NewestStamp;
 
         /// <summary>Corrected time of the newest sample in use, in s; negative infinity before the first.</summary>
-        public double NewestTime => _motions[0].NewestTime;
+        public double NewestTime => _buffer.NewestTime;
 
         /// <summary>Time after the newest sample from which on positions are held, s.</summary>
         public double MaxAhead => Math.Min(_limits.HorizonCap, _forecasters[0].Span);

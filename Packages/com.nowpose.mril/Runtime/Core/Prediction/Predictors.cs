@@ -208,7 +208,9 @@ namespace Nowpose.Prediction
                 throw new InputException(PredictionMessages.UnknownPredictor(name, string.Join(", ", Names)));
             for (var i = 0; i < motions; i++)
                 forecasters[i] = isProcess ? new CalibratedProcess(components) : (Forecaster)new PolynomialForecaster(degree, history);
-            return Pipeline<TSample>(history + 1, limits, isProcess ? PredictionParts.Preparation : PredictionParts.None, forecasters);
+            // The maximum speed, from which the blend follows, needs three samples. Hold is never blended.
+            var kept = history == 0 ? 1 : Math.Max(history + 1, 3);
+            return Pipeline<TSample>(kept, limits, isProcess ? PredictionParts.Preparation : PredictionParts.None, forecasters);
         }
 
         static bool Has(PredictionParts parts, PredictionParts part) => (parts & part) != 0;

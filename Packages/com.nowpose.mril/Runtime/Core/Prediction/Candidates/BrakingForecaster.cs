@@ -53,7 +53,7 @@ namespace Nowpose.Prediction.Candidates
             _history.Take(motion);
             if (!_history.HasStarted) return false;
             if (_starts != _history.Starts) Start();
-            double speed = Speed(0), before = Speed(1);
+            double speed = motion.Speed, before = Vectors.Length(motion.VelocityBefore);
             FollowMove(speed, before);
             return !motion.IsStill && speed < (1 - MaxDifferenceRatio) * before && TryFind();
         }
@@ -74,18 +74,9 @@ namespace Nowpose.Prediction.Candidates
         void FollowMove(double speed, double before)
         {
             var (isStill, acceleratesAgain) = (_motion.IsStill, speed > before && before < NewMoveRatio * _maxSpeed);
-            if (isStill || Reverses || acceleratesAgain) (_start, _maxSpeed, _beganAtRest) = (_motion.TimeAt(1), 0, isStill);
+            var reverses = Vectors.Dot(_motion.Velocity, _motion.VelocityBefore) < 0;
+            if (isStill || reverses || acceleratesAgain) (_start, _maxSpeed, _beganAtRest) = (_motion.TimeAt(1), 0, isStill);
             if (speed > _maxSpeed) (_maxSpeed, _maxSpeedAt) = (speed, _motion.NewestTime);
-        }
-
-        bool Reverses
-        {
-            get
-            {
-                var product = 0.0;
-                for (var c = 0; c < _components; c++) product += Displacement(0, c) * Displacement(1, c);
-                return product < 0;
-            }
         }
 
         bool TryFind()
@@ -134,7 +125,5 @@ namespace Nowpose.Prediction.Candidates
 
         double Displacement(int age, int component) =>
             _motion.Displacements[age * _components + component] - _motion.Displacements[(age + 1) * _components + component];
-
-        double Speed(int age) => _motion.DistanceFromPrevious(age) / (_motion.Times[age] - _motion.Times[age + 1]);
     }
 }

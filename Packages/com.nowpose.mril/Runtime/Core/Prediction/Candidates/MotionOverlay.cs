@@ -51,7 +51,7 @@ namespace Nowpose.Prediction.Candidates
             for (var age = 0; age < count; age += age == 0 ? 1 : stride)
             {
                 _indices[_count] = _history.IndexOf(motion.TimeAt(age));
-                for (var c = 0; c < n; c++) _positions[_count * n + c] = motion.Newest[c] + motion.Displacements[age * n + c];
+                for (var c = 0; c < n; c++) _positions[_count * n + c] = motion.PositionAt(age, c);
                 _count++;
             }
             (_minLag, _maxLag) = (_indices[0] - _history.End, _indices[_count - 1] - _history.First);

@@ -113,7 +113,7 @@ namespace Nowpose.Prediction.Candidates
             }
             var lag = displacement > 0 ? elapsed - TimeTo(displacement) : double.PositiveInfinity;
             if (!_hasBraked && Math.Abs(lag) <= MinLag) _start += lag;
-            else _isKnown = lag > 0 && TryFindStroke(displacement, elapsed) && LiesOnMove(motion.PreviousTime, motion.Previous[0]);
+            else _isKnown = lag > 0 && TryFindStroke(displacement, elapsed) && LiesOnMove(motion.PreviousTime, motion.PositionAt(1, 0));
         }
 
         double End => _restPosition + _direction * _move.PositionAt(_move.Duration);

@@ -78,7 +78,7 @@ namespace Nowpose.Prediction.Mixing
                 // In a long interval, a motion can start and end.
                 if (motion.Timing.IsAfterPause || !(interval < ForecastTable.Span) || expected.Due < motion.PreviousTime) continue;
                 var fraction = (expected.Due - motion.PreviousTime) / interval;
-                for (var c = 0; c < _components; c++) _truth[c] = motion.Previous[c] + (motion.Newest[c] - motion.Previous[c]) * fraction;
+                for (var c = 0; c < _components; c++) _truth[c] = motion.Newest[c] + motion.Displacements[_components + c] * (1 - fraction);
                 ScoreForecasts(expected.Positions, forgettingFactor);
                 ScoreCandidates(expected, motion.NewestTime);
             }

@@ -32,14 +32,13 @@ namespace Nowpose.Prediction.State
         int _sinceJump, _sinceJumpBefore;
 
         /// <param name="first">Index of the first component in the samples.</param>
-        /// <param name="capacity">Maximum number of samples that a forecaster uses.</param>
+        /// <param name="capacity">Maximum number of samples that are used: three show both velocities.</param>
         /// <param name="timing">Timing of the samples, which the motions of an object share.</param>
         /// <param name="check">Check of the positions of this motion; null to use all samples.</param>
         public MotionState(int components, int first, int capacity, SampleTiming timing, PositionCheck check = null)
         {
             (Components, _first, _capacity, Timing, _check) = (components, first, capacity, timing, check);
-            (Newest, Previous) = (new double[components], new double[components]);
-            (Velocity, VelocityBefore) = (new double[components], new double[components]);
+            (Newest, Velocity, VelocityBefore) = (new double[components], new double[components], new double[components]);
             (Times, Displacements) = (new double[capacity], new double[capacity * components]);
             Reset();
         }
@@ -52,23 +51,20 @@ namespace Nowpose.Prediction.State
         /// <inheritdoc cref="SampleBuffer{TSample}.IsNewest"/>
         public bool IsNewest { get; private set; }
 
-        /// <summary>Time of the newest sample, and of the sample that was the newest before it, in s; negative infinity if there is none.</summary>
-        /// <remarks>If the sample before the newest was wrong, the previous sample is the one before that.</remarks>
+        /// <summary>Time of the newest sample, in s; negative infinity if there is none.</summary>
         public double NewestTime { get; private set; }
 
-        /// <inheritdoc cref="NewestTime"/>
-        public double PreviousTime { get; private set; }
-
-        /// <summary>Position of the newest sample, and of the sample that was the newest before it, in rad or m.</summary>
+        /// <summary>Position of the newest sample, in rad or m.</summary>
         public double[] Newest { get; }
 
-        /// <inheritdoc cref="Newest"/>
-        public double[] Previous { get; }
-
         /// <summary>
-        /// Time from the previous to the newest sample, in s: longer than <see cref="SampleTiming.Interval"/> after a wrong sample that was left out.
+        /// Time from the previous to the newest sample, in s; 0 for the first sample and after a gap. Longer than <see cref="SampleTiming.Interval"/>
+        /// after a wrong sample that was left out.
         /// </summary>
-        public double Interval => NewestTime - PreviousTime;
+        public double Interval => Count > 1 ? -Times[1] : 0;
+
+        /// <summary>Time of the sample before the newest, in s; that of the newest for the first sample and after a gap.</summary>
+        public double PreviousTime => NewestTime - Interval;
 
         /// <summary>Number of newest samples without a gap that are stored here.</summary>
         public int Count { get; private set; }
@@ -85,15 +81,18 @@ namespace Nowpose.Prediction.State
         /// <summary>Returns the time of the sample with this age, in s.</summary>
         public double TimeAt(int age) => NewestTime + Times[age];
 
+        /// <summary>Returns a component of the position of the sample with this age, in rad or m.</summary>
+        public double PositionAt(int age, int component) => Newest[component] + Displacements[age * Components + component];
+
         /// <summary>Returns the distance of the sample with this age from the sample before it, in rad or m.</summary>
         public double DistanceFromPrevious(int age) =>
             Vectors.Distance(Displacements, age * Components, Displacements, (age + 1) * Components, Components);
 
         /// <summary>Mean velocity in the interval before the newest sample, per second; 0 until there are two samples.</summary>
-        public double[] Velocity { get; private set; }
+        public double[] Velocity { get; }
 
         /// <summary>Mean velocity in the interval before that of <see cref="Velocity"/>, per second; 0 until there are three samples.</summary>
-        public double[] VelocityBefore { get; private set; }
+        public double[] VelocityBefore { get; }
 
         /// <summary>Magnitude of <see cref="Velocity"/>.</summary>
         public double Speed => Vectors.Length(Velocity);
@@ -168,47 +167,29 @@ namespace Nowpose.Prediction.State
         public void Take<TSample>(SampleBuffer<TSample> buffer, bool hasOtherMotionJumped = false) where TSample : struct, ISample<TSample>
         {
             IsNewest = buffer.IsNewest;
-            IsPreviousWrong = false;
-            if (IsNewest)
+            Read(buffer);
+            IsPreviousWrong = IsNewest && _wasNewestForgotten;
+            if (!IsNewest) return;
+            _wasNewestForgotten = false;
+            var (product, speed) = (Vectors.Dot(Velocity, VelocityBefore), Math.Min(Speed, Vectors.Length(VelocityBefore)));
+            if (product > 0) MaxSpeed = Math.Max(MaxSpeed, speed);
+            if (product < 0 && _check != null && PositionCheck.IsPreviousWrong(this, speed))
             {
-                (IsPreviousWrong, _wasNewestForgotten) = (_wasNewestForgotten, false);
-                PreviousTime = NewestTime;
-                (Velocity, VelocityBefore) = (VelocityBefore, Velocity);
+                (IsPreviousWrong, _wrongTime) = (true, buffer[1].Time);
+                Read(buffer);
             }
-            // A copy, because the compiler would copy the sample at each access through a read-only reference.
-            var newest = buffer[0];
-            NewestTime = newest.Time;
-            (ReportedVelocity, ReportedAcceleration) = (newest.Velocity, newest.Acceleration);
-            for (var c = 0; c < Components; c++)
-            {
-                if (IsNewest) Previous[c] = Newest[c];
-                Newest[c] = newest[_first + c];
-            }
-            Count = Math.Min(Timing.ConnectedSamples, 1);
-            for (int age = 1, at = Components; age < Timing.ConnectedSamples && Count < _capacity; age++)
-            {
-                var sample = buffer[age];
-                if (sample.Time == _wrongTime) continue;
-                Times[Count++] = sample.Time - NewestTime;
-                for (var c = 0; c < Components; c++) Displacements[at++] = sample[_first + c] - Newest[c];
-            }
-            UpdateVelocity();
-            if (IsNewest && _check != null) Examine(hasOtherMotionJumped);
+            StillDistance = StillRatio * MaxDisplacement;
+            StillSamples = Count > 1 && DistanceFromPrevious(0) <= StillDistance ? Math.Min(StillSamples, int.MaxValue - 1) + 1 : 0;
+            if (_check != null) Examine(hasOtherMotionJumped);
         }
 
-        /// <summary>Returns to the sample before the newest, because the stamp of the newest is wrong and the buffer has removed it.</summary>
-        public void ForgetNewest()
-        {
-            NewestTime = PreviousTime;
-            Array.Copy(Previous, Newest, Components);
-            (Velocity, VelocityBefore) = (VelocityBefore, Velocity);
-            _wasNewestForgotten = true;
-        }
+        /// <summary>Counts the newest sample as wrong when the next one is taken, because its stamp is wrong and the buffer has removed it.</summary>
+        public void ForgetNewest() => _wasNewestForgotten = true;
 
         public void Reset()
         {
             Count = 0;
-            NewestTime = PreviousTime = double.NegativeInfinity;
+            NewestTime = double.NegativeInfinity;
             Array.Clear(Newest, 0, Components);
             Array.Clear(Velocity, 0, Components);
             Array.Clear(VelocityBefore, 0, Components);
@@ -218,22 +199,26 @@ namespace Nowpose.Prediction.State
             ForgetJumps();
         }
 
-        void UpdateVelocity()
+        void Read<TSample>(SampleBuffer<TSample> buffer) where TSample : struct, ISample<TSample>
         {
-            if (!IsNewest)
+            // A copy, because the compiler would copy the sample at each access through a read-only reference.
+            var newest = buffer[0];
+            NewestTime = newest.Time;
+            (ReportedVelocity, ReportedAcceleration) = (newest.Velocity, newest.Acceleration);
+            for (var c = 0; c < Components; c++) Newest[c] = newest[_first + c];
+            Count = Math.Min(Timing.ConnectedSamples, 1);
+            for (int age = 1, at = Components; age < Timing.ConnectedSamples && Count < _capacity; age++)
             {
-                // The overtaken sample may be the one before the newest.
-                if (Count > 1) TakeVelocity();
-                return;
+                var sample = buffer[age];
+                if (sample.Time == _wrongTime) continue;
+                Times[Count++] = sample.Time - NewestTime;
+                for (var c = 0; c < Components; c++) Displacements[at++] = sample[_first + c] - Newest[c];
             }
-            if (double.IsNegativeInfinity(PreviousTime)) return;
-            for (var c = 0; c < Components; c++) Velocity[c] = (Newest[c] - Previous[c]) / Interval;
-            var (product, speed) = (Vectors.Dot(Velocity, VelocityBefore), Math.Min(Speed, Vectors.Length(VelocityBefore)));
-            if (product > 0) MaxSpeed = Math.Max(MaxSpeed, speed);
-            if (product < 0 && _check != null && PositionCheck.IsPreviousWrong(this, speed)) OmitPrevious();
-            StillDistance = StillRatio * MaxDisplacement;
-            StillSamples = Vectors.Distance(Newest, Previous) <= StillDistance ? Math.Min(StillSamples, int.MaxValue - 1) + 1 : 0;
+            for (var c = 0; c < Components; c++) (Velocity[c], VelocityBefore[c]) = (VelocityAt(0, c), VelocityAt(1, c));
         }
+
+        double VelocityAt(int age, int component) => age + 1 >= Count ? 0
+            : (Displacements[age * Components + component] - Displacements[(age + 1) * Components + component]) / (Times[age] - Times[age + 1]);
 
         void Examine(bool hasOtherMotionJumped)
         {
@@ -253,24 +238,6 @@ namespace Nowpose.Prediction.State
         {
             (Verdict, _sinceJump, _sinceJumpBefore) = (PositionVerdict.Right, int.MaxValue, int.MaxValue);
             _check?.Reset();
-        }
-
-        void OmitPrevious()
-        {
-            (IsPreviousWrong, _wrongTime) = (true, PreviousTime);
-            Count--;
-            Array.Copy(Times, 2, Times, 1, Count - 1);
-            Array.Copy(Displacements, 2 * Components, Displacements, Components, (Count - 1) * Components);
-            PreviousTime = TimeAt(1);
-            for (var c = 0; c < Components; c++) Previous[c] = Newest[c] + Displacements[Components + c];
-            TakeVelocity();
-            for (var c = 0; c < Components; c++)
-                VelocityBefore[c] = Count < 3 ? Velocity[c] : (Displacements[2 * Components + c] - Displacements[Components + c]) / (Times[2] - Times[1]);
-        }
-
-        void TakeVelocity()
-        {
-            for (var c = 0; c < Components; c++) Velocity[c] = Displacements[Components + c] / Times[1];
         }
     }
 }

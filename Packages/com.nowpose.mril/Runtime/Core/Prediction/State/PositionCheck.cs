@@ -84,7 +84,7 @@ namespace Nowpose.Prediction.State
 
         public override PositionVerdict Examine(MotionState motion, bool hasOtherMotionJumped)
         {
-            var (newest, previous) = (motion.Newest[0], motion.Previous[0]);
+            var (newest, previous) = (motion.Newest[0], motion.PositionAt(1, 0));
             if (motion.Verdict == PositionVerdict.Unconfirmed)
             {
                 var max = MaxReturnRatio * Math.Abs(previous - _before);
@@ -144,7 +144,7 @@ namespace Nowpose.Prediction.State
             var interval = Math.Max(motion.Timing.Interval, motion.Timing.MeanInterval);
             for (var c = 0; c < _displacement.Length; c++)
             {
-                _displacement[c] = motion.Newest[c] - motion.Previous[c];
+                _displacement[c] = -motion.Displacements[_displacement.Length + c];
                 // The stamps of two close samples may be inaccurate.
                 _newVelocity[c] = _displacement[c] / Math.Max(motion.Interval, motion.Timing.MeanInterval);
             }

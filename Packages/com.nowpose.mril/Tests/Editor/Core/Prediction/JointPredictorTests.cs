@@ -16,11 +16,10 @@ namespace Nowpose.Tests.Core.Prediction
         public void Add_OlderThanTheHistory_IsRefused()
         {
             var predictor = Polynomial(1, 1);
-            predictor.Add(1, 1);
-            predictor.Add(2, 2);
+            for (var k = 1; k <= 3; k++) predictor.Add(k, k);
 
             Assert.That(predictor.Add(0, 50), Is.EqualTo(DropReason.LateSample));
-            Assert.That(predictor.At(3).Position, Is.EqualTo(3).Within(1e-12));
+            Assert.That(predictor.At(4).Position, Is.EqualTo(4).Within(1e-12));
         }
 
         [TestCase(2.0, DropReason.DuplicateSample)]

@@ -49,6 +49,34 @@ namespace Nowpose.Tests.Core.Prediction.State
         public void StillSamples_MotionOfLessThanATenThousandthOfTheMaximumSpeed_IsAStandstill() =>
             Assert.That(MaxStillSamples(k => k < 10 ? k : 9 + 0.9e-4 * (k - 9), 10, 100), Is.EqualTo(90));
 
+        [Test]
+        public void StillSamples_FirstSampleAfterAGap_IsNoStandstill()
+        {
+            var buffer = new SampleBuffer<JointSample>(8, new PredictionLimits());
+            var motion = new MotionState(1, 0, 8, buffer.Timing, new JointPositionCheck());
+            foreach (var time in new[] { 0, 0.05, 0.1, 3 })
+            {
+                buffer.Add(new JointSample(time, 7), displayed: double.NaN);
+                motion.Take(buffer);
+            }
+
+            Assert.That((motion.StillSamples, motion.Interval, motion.PreviousTime), Is.EqualTo((0, 0.0, 3.0)));
+        }
+
+        [Test]
+        public void Velocity_AfterALateSample_IsThatBetweenTheNewestThreeSamples()
+        {
+            var buffer = new SampleBuffer<JointSample>(8, PredictionLimits.Unlimited);
+            var motion = new MotionState(1, 0, 8, buffer.Timing);
+            foreach (var (time, position) in new[] { (0, 0), (1, 1), (3, 7), (2, 3) })
+            {
+                buffer.Add(new JointSample(time, position), displayed: double.NaN);
+                motion.Take(buffer);
+            }
+
+            Assert.That((motion.Velocity[0], motion.VelocityBefore[0], motion.Interval), Is.EqualTo((4.0, 2.0, 1.0)));
+        }
+
         [TestCase(1, 0.0, 1, 2, 3)]
         [TestCase(0.5, 0.0, 4, 6, 7)]
         [TestCase(0, 0.0, 1, 1, 1)]
