@@ -5,8 +5,8 @@ namespace Nowpose.Prediction.Samples
     /// <summary>Regression line through the stamps of a periodic source: t_k against the sample number, with a forgetting factor.</summary>
     /// <remarks>
     /// A controller samples periodically, but stamps with a varying delay, so the line is more accurate than a
-    /// single stamp. Sample numbers are derived from the stamps, so lost samples do not affect the line. Stores the sums of a weighted regression
-    /// about the newest stamp instead of the stamps, so the cost per sample does not depend on their number.
+    /// single stamp. Sample numbers are derived from the stamps, so lost samples do not affect the line. Recursive least squares: each stamp corrects the
+    /// line by its residual, so the cost per sample does not depend on the number of stamps.
     /// </remarks>
     sealed class StampLine
     {
@@ -50,14 +50,24 @@ namespace Nowpose.Prediction.Samples
         /// </summary>
         const double MaxStandardErrors = 2;
 
+        /// <summary>
+        /// Variance of the slope before the second stamp, relative to the variance of a stamp. A smaller value would bias the first lines towards the
+        /// interval that is tried, and a larger one would lose digits.
+        /// </summary>
+        const double UnknownSlope = 1e6;
+
         readonly double[] _first = new double[MinStamps];
         int _count;
         int _misfits;
+
         double _newestStamp;
 
-        // Weighted sums over the stamps. Sample numbers and times are relative to the newest stamp, so that neither an early epoch nor a run of
-        // several weeks reduces the precision.
-        double _sum, _sumN, _sumT, _sumNn, _sumNt, _sumTt;
+        // Sum of the weights of the stamps, and weighted sum of their squared residuals.
+        double _sum, _squares;
+
+        // The line at the newest stamp's number, relative to this stamp so that an early epoch does not reduce the precision, and its slope. Their
+        // variances and covariance are relative to the variance of a stamp.
+        double _offset, _slope, _offsetVariance, _covariance, _slopeVariance;
 
         public bool IsKnown { get; private set; }
 
@@ -74,7 +84,7 @@ namespace Nowpose.Prediction.Samples
         public double NewestOnLine { get; private set; }
 
         /// <summary>Returns the time of the line at the number nearest to a stamp.</summary>
-        public double Nearest(double stamp) => NewestOnLine + Math.Round((stamp - NewestOnLine) / Interval) * Interval;
+        public double Nearest(double stamp) => NewestOnLine + Steps(NewestOnLine, stamp) * Interval;
 
         /// <summary>Adds the time stamp of the next sample.</summary>
         public void Add(double stamp)
@@ -82,7 +92,7 @@ namespace Nowpose.Prediction.Samples
             if (IsKnown && Math.Abs(stamp - NewestOnLine) > MaxPause * Interval) Reset();
             if (IsKnown)
             {
-                Append(stamp, Math.Max(1, Math.Round((stamp - NewestOnLine) / Interval)));
+                Append(stamp, Math.Max(1, Steps(NewestOnLine, stamp)));
                 Fit();
             }
             else
@@ -121,62 +131,42 @@ namespace Nowpose.Prediction.Samples
 
         void FitWithInterval(double interval)
         {
-            IsKnown = interval > 0;
-            Interval = interval;
-            NewestOnLine = _first[0];
+            (IsKnown, Interval, NewestOnLine) = (interval > 0, interval, _first[0]);
             for (var i = 0; i < Refinements && IsKnown; i++)
             {
-                _sum = 0;
-                double before = 0, origin = NewestOnLine;
-                foreach (var stamp in _first)
-                {
-                    var number = Math.Round((stamp - origin) / Interval);
-                    Append(stamp, number - before);
-                    before = number;
-                }
+                var origin = NewestOnLine;
+                (_newestStamp, _sum, _squares, _offset, _slope) = (_first[0], 1, 0, 0, Interval);
+                (_offsetVariance, _covariance, _slopeVariance) = (1, 0, UnknownSlope);
+                for (var k = 1; k < MinStamps; k++) Append(_first[k], Steps(origin, _first[k]) - Steps(origin, _first[k - 1]));
                 Fit();
             }
         }
 
-        // Moves the origin of the sums to the new stamp, which then contributes only its weight.
+        // Number of intervals from one time to another.
+        double Steps(double from, double to) => Math.Round((to - from) / Interval);
+
+        // Continues the line by a number of intervals, and corrects it and its slope by the residual of the stamp there.
         void Append(double stamp, double steps)
         {
-            if (_sum == 0) (_sumN, _sumT, _sumNn, _sumNt, _sumTt, _newestStamp) = (0, 0, 0, 0, 0, stamp);
-            var time = stamp - _newestStamp;
-            _sumNn += steps * (steps * _sum - 2 * _sumN);
-            _sumNt += steps * time * _sum - time * _sumN - steps * _sumT;
-            _sumTt += time * (time * _sum - 2 * _sumT);
-            _sumN -= steps * _sum;
-            _sumT -= time * _sum;
+            var factor = _sum < MaxSum ? 1 : ForgettingFactor;
+            _offset += steps * _slope - (stamp - _newestStamp);
             _newestStamp = stamp;
-            if (_sum >= MaxSum) Forget();
-            _sum++;
-        }
-
-        void Forget()
-        {
-            _sum *= ForgettingFactor;
-            _sumN *= ForgettingFactor;
-            _sumT *= ForgettingFactor;
-            _sumNn *= ForgettingFactor;
-            _sumNt *= ForgettingFactor;
-            _sumTt *= ForgettingFactor;
+            _offsetVariance = (_offsetVariance + steps * (2 * _covariance + steps * _slopeVariance)) / factor;
+            _covariance = (_covariance + steps * _slopeVariance) / factor;
+            var gain = 1 / (1 + _offsetVariance);
+            (_sum, _squares) = (factor * _sum + 1, factor * _squares + gain * _offset * _offset);
+            _slope -= gain * _covariance * _offset;
+            _slopeVariance = _slopeVariance / factor - gain * _covariance * _covariance;
+            (_offset, _offsetVariance, _covariance) = (gain * _offset, gain * _offsetVariance, gain * _covariance);
         }
 
         void Fit()
         {
-            var meanN = _sumN / _sum;
-            var meanT = _sumT / _sum;
-            var spread = _sumNn - _sumN * meanN;
-            var slope = (_sumNt - _sumN * meanT) / spread;
-            if (!(spread > 0) || !(slope > 0))
-            {
-                Reset();
-                return;
-            }
-            Deviation = Math.Sqrt(Math.Max(0, (_sumTt - _sumT * meanT - slope * (_sumNt - _sumN * meanT)) / _sum));
-            Interval = LikelyInterval(slope, Deviation / Math.Sqrt(spread));
-            NewestOnLine = _newestStamp + meanT - Interval * meanN;
+            if (!(_slope > 0)) Reset();
+            Deviation = Math.Sqrt(_squares / _sum);
+            Interval = LikelyInterval(_slope, Deviation * Math.Sqrt(_slopeVariance));
+            // Of the lines with this interval, the most likely one.
+            NewestOnLine = _newestStamp + _offset + _covariance / _slopeVariance * (Interval - _slope);
         }
 
         // Rounds the slope if it is close to a multiple of the cycle unit. The slope of a short line is uncertain, and a wrong slope has the largest
