@@ -123,11 +123,10 @@ namespace Nowpose.Prediction
         {
             if (IsEmpty) return default;
             var (ahead, connected) = (time - NewestTime, Timing.ConnectedSamples);
-            if (_interpolates && ahead <= 0 && connected > 1)
+            if (IsOnCurve(ahead))
             {
                 var first = _buffer[connected - 1].Time - NewestTime;
-                return ahead < first ? new SectionPlace(PredictionKind.Held, first, isOnCurve: true)
-                    : new SectionPlace(PredictionKind.Interpolated, ahead, isOnCurve: true);
+                return ahead < first ? new SectionPlace(PredictionKind.Held, first) : new SectionPlace(PredictionKind.Interpolated, ahead);
             }
             if (!_isSolved || double.IsNaN(time)) return new SectionPlace(PredictionKind.Held, double.NaN);
             if (ahead > MaxAhead) return new SectionPlace(PredictionKind.Held, MaxAhead);
@@ -149,7 +148,7 @@ namespace Nowpose.Prediction
         /// <summary>Returns one component of a motion at a place of the section.</summary>
         public double At(in SectionPlace place, int motion, int component)
         {
-            if (place.IsOnCurve)
+            if (IsOnCurve(place.Ahead))
                 return new SampleCurve<TSample>(_buffer, motion * _components + component, Timing.ConnectedSamples).At(NewestTime + place.Ahead);
             var newest = _motions[motion].Newest[component];
             if (double.IsNaN(place.Ahead)) return newest;
@@ -172,6 +171,8 @@ namespace Nowpose.Prediction
             Restart();
         }
 
+        bool IsOnCurve(double ahead) => _interpolates && ahead <= 0 && Timing.ConnectedSamples > 1;
+
         // Keeps the order of arrivals.
         void Restart()
         {
@@ -185,18 +186,15 @@ namespace Nowpose.Prediction
         }
     }
 
-    /// <summary>Place of a time in a section: on the curve through the samples, or on the forecast. <c>default</c> before the first sample.</summary>
+    /// <summary>Place of a time in a section, up to the newest sample or after it. <c>default</c> before the first sample.</summary>
     readonly struct SectionPlace
     {
         /// <param name="kind">How the position at this time is computed.</param>
         /// <param name="ahead">Seconds after the newest sample; NaN for the newest sample itself.</param>
-        /// <param name="isOnCurve">Whether the position is interpolated between samples.</param>
-        public SectionPlace(PredictionKind kind, double ahead, bool isOnCurve = false) => (Kind, Ahead, IsOnCurve) = (kind, ahead, isOnCurve);
+        public SectionPlace(PredictionKind kind, double ahead) => (Kind, Ahead) = (kind, ahead);
 
         public PredictionKind Kind { get; }
 
         public double Ahead { get; }
-
-        public bool IsOnCurve { get; }
     }
 }

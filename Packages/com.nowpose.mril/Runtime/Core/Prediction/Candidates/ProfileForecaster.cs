@@ -38,9 +38,7 @@ namespace Nowpose.Prediction.Candidates
         readonly double _maxStroke;
         readonly SevenPhaseProfile _unbraked;
         SevenPhaseProfile _move;
-        double _stillDistance, _tolerance;
-        double _newestTime;
-        double _newestPosition;
+        MotionState _motion;
         double _restPosition;
         double _start;
         double _direction;
@@ -63,16 +61,15 @@ namespace Nowpose.Prediction.Candidates
         /// <returns>False if the motion does not match a profile.</returns>
         public override bool Solve(MotionState motion)
         {
-            (_newestTime, _newestPosition) = (motion.NewestTime, motion.Newest[0]);
-            (_stillDistance, _tolerance) = (motion.StillDistance, ToleranceRatio * motion.MaxDisplacement);
-            if (motion.Count < 2 || motion.StillSamples > 1) Rest(_newestPosition);
-            else if (_direction == 0) StartMove(motion.PreviousTime);
-            else if (_isKnown) ContinueMove(motion);
+            _motion = motion;
+            if (motion.Count < 2 || motion.StillSamples > 1) Rest(motion.Newest[0]);
+            else if (_direction == 0) StartMove();
+            else if (_isKnown) ContinueMove();
             return _isKnown;
         }
 
         public override double At(double ahead, int component) =>
-            _direction == 0 ? 0 : _restPosition + _direction * _move.PositionAt(_newestTime + ahead - _start) - _newestPosition;
+            _direction == 0 ? 0 : PositionAt(_motion.NewestTime + ahead) - _motion.Newest[0];
 
         public override void Reset()
         {
@@ -88,38 +85,37 @@ namespace Nowpose.Prediction.Candidates
         }
 
         // Samples close to rest do not determine the start accurately, so they count as rest.
-        void StartMove(double timeBefore)
+        void StartMove()
         {
-            var displacement = _newestPosition - _restPosition;
-            if (Math.Abs(displacement) <= _stillDistance) return;
+            var displacement = _motion.Newest[0] - _restPosition;
+            if (Math.Abs(displacement) <= _motion.StillDistance) return;
             _direction = Math.Sign(displacement);
             _move = _unbraked;
             _hasBraked = false;
-            _start = _newestTime - TimeTo(Math.Abs(displacement));
+            _start = _motion.NewestTime - TimeTo(Math.Abs(displacement));
             // The move cannot have begun before the last sample at rest.
-            _isKnown = _start > timeBefore - MinLag;
+            _isKnown = _start > _motion.PreviousTime - MinLag;
         }
 
-        void ContinueMove(MotionState motion)
+        void ContinueMove()
         {
-            var elapsed = _newestTime - _start;
-            var displacement = _direction * (_newestPosition - _restPosition);
-            if (_hasBraked && elapsed > _move.Duration && Math.Abs(_newestPosition - End) > _stillDistance)
+            var (newest, elapsed, end) = (_motion.Newest[0], _motion.NewestTime - _start, PositionAt(double.PositiveInfinity));
+            var displacement = _direction * (newest - _restPosition);
+            if (_hasBraked && elapsed > _move.Duration && Math.Abs(newest - end) > _motion.StillDistance)
             {
                 // The next move has begun after a dwell too short to be detected.
-                Rest(End);
-                StartMove(motion.PreviousTime);
+                Rest(end);
+                StartMove();
                 return;
             }
             var lag = displacement > 0 ? elapsed - TimeTo(displacement) : double.PositiveInfinity;
             if (!_hasBraked && Math.Abs(lag) <= MinLag) _start += lag;
-            else _isKnown = lag > 0 && TryFindStroke(displacement, elapsed) && LiesOnMove(motion.PreviousTime, motion.PositionAt(1, 0));
+            else _isKnown = lag > 0 && TryFindStroke(displacement, elapsed) && IsPreviousOnMove;
         }
 
-        double End => _restPosition + _direction * _move.PositionAt(_move.Duration);
+        bool IsPreviousOnMove => Math.Abs(_motion.PositionAt(1, 0) - PositionAt(_motion.PreviousTime)) <= ToleranceRatio * _motion.MaxDisplacement;
 
-        bool LiesOnMove(double time, double position) =>
-            Math.Abs(position - _restPosition - _direction * _move.PositionAt(time - _start)) <= _tolerance;
+        double PositionAt(double time) => _restPosition + _direction * _move.PositionAt(time - _start);
 
         // A longer stroke means a larger displacement at this time, until all strokes are equal.
         bool TryFindStroke(double displacement, double elapsed)

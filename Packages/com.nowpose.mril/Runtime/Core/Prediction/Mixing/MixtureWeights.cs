@@ -44,17 +44,11 @@ namespace Nowpose.Prediction.Mixing
 
         readonly int _count;
 
-        // The matrix G, and in the last row the product Gw. Gw is updated with each change, so that a solve need not compute it.
+        // The matrix G, row by row.
         readonly double[] _products;
-        readonly int _weighted;
 
         /// <param name="count">Number of forecasts; the first two are hold and the line.</param>
-        public MixtureWeights(int count)
-        {
-            (_count, _weighted) = (count, count * count);
-            _products = new double[_weighted + _count];
-            Values = new double[count];
-        }
+        public MixtureWeights(int count) => (_count, _products, Values) = (count, new double[count * count], new double[count]);
 
         /// <summary>The weights, one per forecast; valid from the first solve on.</summary>
         public double[] Values { get; }
@@ -71,16 +65,13 @@ namespace Nowpose.Prediction.Mixing
         /// <param name="share">Weight of the errors, 0 to 1.</param>
         public void Learn(double[] errors, int first, double forgettingFactor, double share)
         {
-            // Error of the mixture with the current weights.
-            var (products, gain, mixture) = (_products, share * (1 - forgettingFactor), 0.0);
-            for (var i = 0; i < _count; i++) mixture += Values[i] * errors[first + i];
+            var (products, gain) = (_products, share * (1 - forgettingFactor));
             for (int i = 0, row = 0; i < _count; i++, row += _count)
             {
                 var error = gain * errors[first + i];
                 // The matrix is symmetric.
                 for (int j = 0, mirrored = i; j <= i; j++, mirrored += _count)
                     products[mirrored] = products[row + j] = forgettingFactor * products[row + j] + error * errors[first + j];
-                products[_weighted + i] = forgettingFactor * products[_weighted + i] + error * mixture;
             }
             Evidence = forgettingFactor * Evidence + gain;
         }
@@ -104,7 +95,7 @@ namespace Nowpose.Prediction.Mixing
                 return;
             }
             var min = double.PositiveInfinity;
-            for (var i = 0; i < _weighted; i += _count + 1)
+            for (var i = 0; i < _products.Length; i += _count + 1)
                 if (_products[i] < min) min = _products[i];
             var visible = MinError * MinError * Evidence;
             // If a forecast was exact, as hold is after jumps without noise, it keeps its weight.
@@ -112,7 +103,11 @@ namespace Nowpose.Prediction.Mixing
             min = Math.Max(min, visible);
             var lambda = Regularisation * (min + priorEvidence * Math.Max(min / Evidence, fast));
             Span<double> gradient = stackalloc double[_count];
-            for (var i = 0; i < gradient.Length; i++) gradient[i] = _products[_weighted + i] + lambda * (Values[i] - prior[i]);
+            for (int i = 0, at = 0; i < gradient.Length; i++)
+            {
+                gradient[i] = lambda * (Values[i] - prior[i]);
+                for (var j = 0; j < _count; j++) gradient[i] += _products[at++] * Values[j];
+            }
             for (var step = 0; step < Steps; step++)
                 if (!(MoveBestPair(gradient, prior, lambda, SameRatio * min) > MinGain * min)) return;
         }
@@ -145,12 +140,7 @@ namespace Nowpose.Prediction.Mixing
             var move = Math.Min(difference / curvature, values[from]);
             values[to] += move;
             values[from] -= move;
-            for (var i = 0; i < gradient.Length; i++)
-            {
-                var change = move * (products[toRow + i] - products[fromRow + i]);
-                gradient[i] += change;
-                products[_weighted + i] += change;
-            }
+            for (var i = 0; i < gradient.Length; i++) gradient[i] += move * (products[toRow + i] - products[fromRow + i]);
             gradient[to] += lambda * move;
             gradient[from] -= lambda * move;
             return move * (difference - 0.5 * move * curvature);
