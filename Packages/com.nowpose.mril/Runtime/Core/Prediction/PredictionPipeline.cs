@@ -48,7 +48,7 @@ namespace Nowpose.Prediction
         public double NewestStamp => _buffer.NewestStamp;
 
         /// <summary>Corrected time of the newest sample in use, in s; negative infinity before the first.</summary>
-        public double NewestTime => _buffer.NewestTime;
+        public double NewestTime => _motions[0].NewestTime;
 
         /// <summary>Time after the newest sample from which on positions are held, s.</summary>
         public double MaxAhead => Math.Min(_limits.HorizonCap, _forecasters[0].Span);
@@ -122,10 +122,10 @@ namespace Nowpose.Prediction
         public SectionPlace PlaceOf(double time)
         {
             if (IsEmpty) return default;
-            var (ahead, connected) = (time - NewestTime, Timing.ConnectedSamples);
+            var (ahead, motion) = (time - NewestTime, _motions[0]);
             if (IsOnCurve(ahead))
             {
-                var first = _buffer[connected - 1].Time - NewestTime;
+                var first = motion.Times[motion.Count - 1];
                 return ahead < first ? new SectionPlace(PredictionKind.Held, first) : new SectionPlace(PredictionKind.Interpolated, ahead);
             }
             if (!_isSolved || double.IsNaN(time)) return new SectionPlace(PredictionKind.Held, double.NaN);
@@ -135,22 +135,21 @@ namespace Nowpose.Prediction
             // its newest sample, so its value at the oldest sample is held. Without a horizon cap, as in the paper, neither is limited.
             if (ahead < 0 && !double.IsPositiveInfinity(_limits.HorizonCap))
             {
-                var start = _buffer.StartOf(Math.Min(connected, _forecasters[0].UsedSamples));
+                var start = _buffer.StartOf(Math.Min(Timing.ConnectedSamples, _forecasters[0].UsedSamples));
                 if (ahead < start) return new SectionPlace(PredictionKind.Held, start);
             }
             if (ahead <= 0) return new SectionPlace(PredictionKind.Interpolated, ahead);
             // One motion of an object may jump while the other continues.
-            foreach (var motion in _motions)
-                if (motion.HasJumped) return new SectionPlace(PredictionKind.Held, ahead);
+            foreach (var one in _motions)
+                if (one.HasJumped) return new SectionPlace(PredictionKind.Held, ahead);
             return new SectionPlace(PredictionKind.Predicted, ahead);
         }
 
         /// <summary>Returns one component of a motion at a place of the section.</summary>
         public double At(in SectionPlace place, int motion, int component)
         {
-            if (IsOnCurve(place.Ahead))
-                return new SampleCurve<TSample>(_buffer, motion * _components + component, Timing.ConnectedSamples).At(NewestTime + place.Ahead);
             var newest = _motions[motion].Newest[component];
+            if (IsOnCurve(place.Ahead)) return newest + new SampleCurve(_motions[motion], component).At(place.Ahead);
             if (double.IsNaN(place.Ahead)) return newest;
             var position = newest + _forecasters[motion].At(place.Ahead, component);
             // An overflow must not reach a transform.
@@ -171,7 +170,7 @@ namespace Nowpose.Prediction
             Restart();
         }
 
-        bool IsOnCurve(double ahead) => _interpolates && ahead <= 0 && Timing.ConnectedSamples > 1;
+        bool IsOnCurve(double ahead) => _interpolates && ahead <= 0 && _motions[0].Count > 1;
 
         // Keeps the order of arrivals.
         void Restart()

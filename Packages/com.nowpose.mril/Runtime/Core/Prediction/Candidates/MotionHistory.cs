@@ -6,8 +6,8 @@ using Nowpose.Prediction.State;
 namespace Nowpose.Prediction.Candidates
 {
     /// <summary>
-    /// Keeps the past of one motion for the candidates that compare the present motion with it: at least two minutes on a uniform time grid, interpolated from
-    /// samples at any intervals.
+    /// Keeps the past of one motion for the candidates that compare the present motion with it: at least two minutes on a uniform time grid, from the
+    /// curve through the samples (<see cref="SampleCurve"/>).
     /// </summary>
     /// <remarks>
     /// Indices count grid points since the start and never wrap. The grid ends one sample before the newest sample, so that every
@@ -138,30 +138,17 @@ namespace Nowpose.Prediction.Candidates
         void ExtendTo(MotionState motion, int age)
         {
             var end = motion.NewestTime + motion.Times[age] + Rounding * Step;
-            for (var time = TimeOf(Count); time <= end; time = TimeOf(++Count)) Interpolate(motion, age, time - motion.NewestTime, PlaceOf(Count));
+            for (var time = TimeOf(Count); time <= end; time = TimeOf(++Count)) Interpolate(motion, time - motion.NewestTime, PlaceOf(Count));
         }
 
         double TimeOf(long index) => _start + index * Step;
 
-        // Cubic Hermite between the sample with this age and the one before it, with slopes of the parabolas through their neighbours. The time is relative
-        // to the newest sample.
-        void Interpolate(MotionState motion, int age, double time, int place)
+        void Interpolate(MotionState motion, double ahead, int place)
         {
-            var (times, positions, isFirst) = (motion.Times, motion.Displacements, age + 2 >= motion.Count);
-            // The first sample is repeated backwards in time.
-            double h0 = isFirst ? Step : times[age + 1] - times[age + 2], h1 = times[age] - times[age + 1], h2 = times[age - 1] - times[age];
-            var x = time - times[age + 1];
-            for (int c = 0, at = age * Components; c < Components; c++, at++)
+            for (var c = 0; c < Components; c++, place++)
             {
-                double p1 = positions[at], p2 = positions[at + Components];
-                double d0 = isFirst ? 0 : (p2 - positions[at + 2 * Components]) / h0, d1 = (p1 - p2) / h1, d2 = (positions[at - Components] - p1) / h2;
-                var m1 = (d0 * h1 + d1 * h0) / (h0 + h1);
-                var m2 = (d1 * h2 + d2 * h1) / (h1 + h2);
-                var square = (3 * d1 - 2 * m1 - m2) / h1;
-                var cube = (m1 + m2 - 2 * d1) / (h1 * h1);
-                var position = motion.Newest[c] + p2 + x * (m1 + x * (square + x * cube));
-                Points[place + c] = position;
-                if (place < Repeated * Components) Points[Capacity * Components + place + c] = position;
+                Points[place] = motion.Newest[c] + new SampleCurve(motion, c).At(ahead);
+                if (place < Repeated * Components) Points[Capacity * Components + place] = Points[place];
             }
         }
     }

@@ -38,6 +38,16 @@ namespace Nowpose.Tests.Core.Prediction.State
             Assert.That((motion.IsPreviousWrong, motion.Verdict), Is.EqualTo((true, PositionVerdict.Right)));
         }
 
+        [TestCase(50)]
+        [TestCase(-50)]
+        public void At_OneWrongSampleAmongTheSamples_IsNotOnTheCurve(double wrong)
+        {
+            var predictor = Predictors.Create("adaptive", new PredictionLimits());
+            for (var k = 0; k < 8; k++) predictor.Add(new JointSample(k * 0.05, k == 5 ? wrong : k));
+
+            Assert.That(predictor.At(5 * 0.05).Position, Is.EqualTo(5).Within(1e-9));
+        }
+
         // A driver that reports zero a few times.
         [TestCase(2)]
         [TestCase(5)]

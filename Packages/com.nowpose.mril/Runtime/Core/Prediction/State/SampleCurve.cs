@@ -1,48 +1,50 @@
 using System;
 
-namespace Nowpose.Prediction.Samples
+namespace Nowpose.Prediction.State
 {
     /// <summary>
-    /// A smooth curve through samples at any intervals: exact for quadratics, without overshoot if the samples are monotone.
+    /// A smooth curve through the samples of a motion: exact for quadratics, without overshoot if the samples are monotone.
     /// </summary>
     /// <remarks>
     /// A cubic Hermite spline whose slopes come from the parabolas through neighbouring samples, with the limit of Fritsch &amp; Carlson (1980). The
     /// limit applies only where samples rise or fall monotonically: at a turning point it would flatten the curve between the samples. Stores no
     /// results: each call uses the samples around the requested time.
     /// </remarks>
-    readonly struct SampleCurve<TSample> where TSample : struct, ISample<TSample>
+    readonly struct SampleCurve
     {
         /// <summary>A cubic with end slopes within three times the secant's is monotone (Fritsch &amp; Carlson).</summary>
         const double MaxSlope = 3;
 
-        readonly SampleBuffer<TSample> _samples;
-        readonly int _component, _count;
+        readonly double[] _times, _displacements;
+        readonly int _component, _components, _count;
 
-        /// <param name="samples">Index 0 is the newest.</param>
-        /// <param name="component">Component of the samples.</param>
-        /// <param name="count">Number of newest samples, at least two; their times differ.</param>
-        public SampleCurve(SampleBuffer<TSample> samples, int component, int count) =>
-            (_samples, _component, _count) = (samples, component, count);
+        /// <param name="motion">Has at least two samples.</param>
+        public SampleCurve(MotionState motion, int component)
+        {
+            (_times, _displacements, _count) = (motion.Times, motion.Displacements, motion.Count);
+            (_component, _components) = (component, motion.Components);
+        }
 
-        /// <param name="time">Time between the oldest and the newest sample.</param>
-        public double At(double time)
+        /// <summary>Returns the position relative to that of the newest sample.</summary>
+        /// <param name="ahead">Time between the oldest and the newest sample, relative to the newest, in s; not positive.</param>
+        public double At(double ahead)
         {
             // Finds the interval between the samples of this age and the next older one.
             var age = 0;
-            while (age < _count - 2 && time <= _samples[age + 1].Time) age++;
-            ref readonly var older = ref _samples[age + 1];
-            var length = _samples[age].Time - older.Time;
-            var x = (time - older.Time) / length;
+            while (age < _count - 2 && ahead <= _times[age + 1]) age++;
+            var length = _times[age] - _times[age + 1];
+            // The oldest sample of another motion of the same object may be earlier.
+            var x = Math.Max(ahead - _times[age + 1], 0) / length;
             var secant = Secant(age);
             var (before, after) = ((Slope(age + 1) - secant) * length, (secant - Slope(age)) * length);
             // The straight line plus the contribution of the slopes at both ends.
             return Position(age + 1) + x * (Position(age) - Position(age + 1)) + x * (1 - x) * (before * (1 - x) + after * x);
         }
 
-        double Position(int age) => _samples[age][_component];
+        double Position(int age) => _displacements[age * _components + _component];
 
         // Slope from the sample of this age to the next older one.
-        double Secant(int age) => (Position(age) - Position(age + 1)) / (_samples[age].Time - _samples[age + 1].Time);
+        double Secant(int age) => (Position(age) - Position(age + 1)) / (_times[age] - _times[age + 1]);
 
         double Slope(int age)
         {
@@ -59,8 +61,8 @@ namespace Nowpose.Prediction.Samples
         {
             var middle = Math.Min(Math.Max(age, 1), _count - 2);
             var (older, newer) = (Secant(middle), Secant(middle - 1));
-            var bend = (newer - older) / (_samples[middle - 1].Time - _samples[middle + 1].Time);
-            return older + bend * (_samples[middle].Time - _samples[middle + 1].Time) + 2 * bend * (_samples[age].Time - _samples[middle].Time);
+            var bend = (newer - older) / (_times[middle - 1] - _times[middle + 1]);
+            return older + bend * (_times[middle] - _times[middle + 1]) + 2 * bend * (_times[age] - _times[middle]);
         }
 
         // Returns whether this interval and its neighbours have the same direction.
