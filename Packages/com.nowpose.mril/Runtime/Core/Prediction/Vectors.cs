@@ -34,5 +34,24 @@ namespace Nowpose.Prediction
             }
             return Math.Sqrt(squares);
         }
+
+        /// <summary>
+        /// Returns the mean ratio of a displacement to the one before it: 1 for a constant velocity, about 0 for a position that wanders at random,
+        /// and −0.5 for white noise. 1 if it is unknown.
+        /// </summary>
+        /// <param name="positions">Newest first; the components of a position are adjacent.</param>
+        /// <param name="count">Number of newest positions that are used.</param>
+        public static double Persistence(double[] positions, int count, int components)
+        {
+            double products = 0, squares = 0;
+            for (int age = 2, i = 0; age < count; age++)
+                for (var c = 0; c < components; c++, i++)
+                {
+                    var before = positions[i + components] - positions[i + 2 * components];
+                    products += (positions[i] - positions[i + components]) * before;
+                    squares += before * before;
+                }
+            return squares > 0 ? products / squares : 1;
+        }
     }
 }

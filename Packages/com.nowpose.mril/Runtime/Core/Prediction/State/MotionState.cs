@@ -145,22 +145,8 @@ namespace Nowpose.Prediction.State
         /// <summary>Maximum displacement between two samples that repeat, in the samples' unit.</summary>
         public double StillDistance { get; private set; }
 
-        /// <summary>
-        /// Returns the mean ratio of a displacement to the one before it, from all samples: 1 for a constant velocity, about 0 for a position that
-        /// wanders at random, and negative for white noise. 1 if it is unknown.
-        /// </summary>
-        public double MeasurePersistence()
-        {
-            double products = 0, squares = 0;
-            for (int age = 2, i = 0; age < Count; age++)
-                for (var c = 0; c < Components; c++, i++)
-                {
-                    var before = Displacements[i + Components] - Displacements[i + 2 * Components];
-                    products += (Displacements[i] - Displacements[i + Components]) * before;
-                    squares += before * before;
-                }
-            return squares > 0 ? products / squares : 1;
-        }
+        /// <summary>Returns the persistence of the motion (<see cref="Vectors.Persistence"/>), from all samples.</summary>
+        public double MeasurePersistence() => Vectors.Persistence(Displacements, Count, Components);
 
         /// <summary>Takes the samples of a buffer that has added a sample.</summary>
         /// <param name="hasOtherMotionJumped">See <see cref="PositionCheck.Examine"/>.</param>
