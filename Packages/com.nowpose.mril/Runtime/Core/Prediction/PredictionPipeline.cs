@@ -88,8 +88,8 @@ namespace Nowpose.Prediction
         }
 
         /// <summary>
-        /// Checks a sample that is ready. Products of displacements as large as that of a far sample can overflow: if the sample is the newest, all earlier
-        /// samples are discarded.
+        /// Prepares for adding a sample that is ready. Products of displacements as large as that of a far sample can overflow: if the sample is the
+        /// newest, all earlier samples are discarded, and a late one cannot be added.
         /// </summary>
         /// <returns>Whether the sample can be added.</returns>
         public bool Admit(in TSample sample)

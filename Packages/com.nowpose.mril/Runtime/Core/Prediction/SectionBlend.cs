@@ -53,13 +53,13 @@ namespace Nowpose.Prediction
 
         /// <summary>Stores which section a sample replaces.</summary>
         /// <param name="displayed">See <see cref="IsNeeded"/>.</param>
-        /// <param name="newest">Time of the previous newest sample, in s.</param>
-        public void StoreReplaced(double displayed, double newest)
+        /// <param name="replaced">Time of the newest sample of the replaced section, in s.</param>
+        public void StoreReplaced(double displayed, double replaced)
         {
             // If several samples arrive between two frames, the displayed section is the section before the first of them.
             if (displayed == _lastDisplayed) return;
             // Blending would show a part of a held position as current.
-            (_lastDisplayed, _displayedSection) = (displayed, displayed - newest > _maxAhead ? double.NegativeInfinity : newest);
+            (_lastDisplayed, _displayedSection) = (displayed, displayed - replaced > _maxAhead ? double.NegativeInfinity : replaced);
         }
 
         /// <summary>Starts the decay at the last display time.</summary>

@@ -93,7 +93,7 @@ namespace Nowpose.Prediction.Candidates
 
         /// <summary>
         /// Returns the candidate's sum of squared errors relative to that of the mixture; infinite while the candidate must not replace the
-        /// mixture.
+        /// mixture. A candidate that is used untested has its limit in motion, so that tested candidates with smaller errors precede it.
         /// </summary>
         /// <param name="isStill">Whether the joint stands still.</param>
         public double ErrorRatio(bool isStill)

@@ -56,7 +56,7 @@ namespace Nowpose.Prediction.Candidates
 
         readonly MotionHistory _history;
 
-        // Costs of the lags, preceded by one infinite cost, which is never a minimum.
+        // Costs of the lags, preceded by one infinite cost, which is never a minimum. Element i belongs to the lag minLag + (i − 1) · _step.
         readonly float[] _costs = new float[(MaxLags / Block + 1) * Block];
         readonly float[] _lagCosts = new float[Kept];
 
@@ -176,7 +176,8 @@ namespace Nowpose.Prediction.Candidates
         /// <summary>
         /// Finds the lags with the smallest costs among the local minima, except the first lag, which has no lower neighbour.
         /// </summary>
-        /// <param name="covered">Lag that the history does not cover any more: the lag after a minimum must be smaller.</param>
+        /// <param name="lags">Number of lags.</param>
+        /// <param name="covered">First lag, in grid steps, that the history does not cover any more: the lag after a minimum must be smaller.</param>
         void FindMinima(int lags, int minLag, int covered)
         {
             Count = 0;

@@ -133,14 +133,12 @@ namespace Nowpose.Prediction.Mixing
             var isAfterStop = _changePoints != null && samples == 1 && !_changePoints.SpeedIncreased;
             var speedFactor = motion.Connected < 2 ? 0 : isAfterStop ? SpeedRatioAfterStop : 1;
             _forecasters.Fill(motion, samples, speedFactor, _points);
-            if (motion.IsNewest) Expect(motion);
+            if (motion.IsNewest)
+            {
+                _pending.Add(motion);
+                _distance?.Add(_pending.DistanceFromLine, _forgettingFactor, motion.IsUnconfirmed);
+            }
             FillTable(motion, speedFactor);
-        }
-
-        void Expect(MotionState motion)
-        {
-            var distance = _pending.Add(motion);
-            _distance?.Add(distance, _forgettingFactor, motion.IsUnconfirmed);
         }
 
         void FillTable(MotionState motion, double speedFactor)

@@ -98,7 +98,8 @@ namespace Nowpose.Prediction.Mixing
             for (var i = 0; i < _products.Length; i += _count + 1)
                 if (_products[i] < min) min = _products[i];
             var visible = MinError * MinError * Evidence;
-            // If a forecast was exact, as hold is after jumps without noise, it keeps its weight.
+            // n · min / Evidence, where n is square / (G₀₀ / Evidence). If a forecast was exact, as hold is after jumps without noise, it keeps its
+            // weight.
             var fast = square * min / Math.Max(_products[0], visible);
             min = Math.Max(min, visible);
             var lambda = Regularisation * (min + priorEvidence * Math.Max(min / Evidence, fast));

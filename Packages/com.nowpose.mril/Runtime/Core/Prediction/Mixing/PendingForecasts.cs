@@ -42,9 +42,11 @@ namespace Nowpose.Prediction.Mixing
             (_errors, _truth) = (new double[_mixture], new double[components]);
         }
 
+        /// <summary>Distance of the newest forecast of the mixture from the line, in m or rad.</summary>
+        public double DistanceFromLine { get; private set; }
+
         /// <summary>Adds the forecasts after the newest sample for the time of one horizon ahead.</summary>
-        /// <returns>Distance of the mixture from the line at that time, m or rad.</returns>
-        public double Add(MotionState motion)
+        public void Add(MotionState motion)
         {
             var (expected, horizon) = (Append(), motion.Timing.Horizon);
             var (time, positions) = (new TableTime(horizon), expected.Positions);
@@ -62,7 +64,7 @@ namespace Nowpose.Prediction.Mixing
                 positions[_mixture + c] = newest + sum;
                 for (var i = 0; i < _candidates.Length; i++) positions[CandidateRow(i) + c] = newest + _candidates[i].At(time, c);
             }
-            return Vectors.Distance(positions, _mixture, positions, ForecasterSet.Line * _components, _components);
+            DistanceFromLine = Vectors.Distance(positions, _mixture, positions, ForecasterSet.Line * _components, _components);
         }
 
         /// <summary>

@@ -5,8 +5,9 @@ namespace Nowpose.Prediction.Samples
     /// <summary>Regression line through the stamps of a periodic source: t_k against the sample number, with a forgetting factor.</summary>
     /// <remarks>
     /// A controller samples periodically, but stamps with a varying delay, so the line is more accurate than a
-    /// single stamp. Sample numbers are derived from the stamps, so lost samples do not affect the line. Recursive least squares: each stamp corrects the
-    /// line by its residual, so the cost per sample does not depend on the number of stamps.
+    /// single stamp. Sample numbers are derived from the stamps, so lost samples do not affect the line. Recursive least squares: each stamp corrects
+    /// the line by its residual, so the cost per sample does not depend on the number of stamps. The line restarts after a long pause, and if several
+    /// stamps in a row show that the sample numbers are wrong; <see cref="StampCorrection"/> restarts it if the period has changed.
     /// </remarks>
     sealed class StampLine
     {
