@@ -14,6 +14,9 @@ public sealed class InputAction : IDisposable
 
     public bool enabled { get; private set; }
 
+    /// <summary>Whether a connected device has one of the bound controls.</summary>
+    internal bool HasControl => _paths.Exists(path => Controls.TryGet(path, out _, out _));
+
     internal void Bind(string path) => _paths.Add(path);
 
     public void Enable() => enabled = true;

@@ -1,10 +1,16 @@
 namespace UnityEngine.InputSystem.XR;
 
 /// <summary>Moves the transform to the pose of a device, relative to the parent. Without a device, the transform does not move.</summary>
+/// <remarks>
+/// Behaves like that of version 1.14.0: without an action for the tracking state, it never moves if the device is missing in the first frame.
+/// </remarks>
 [Serializable]
 public class TrackedPoseDriver : MonoBehaviour
 {
-    InputActionProperty _position, _rotation;
+    const int PositionAndRotation = 3;
+
+    InputActionProperty _position, _rotation, _trackingState;
+    bool? _hadDevice;
 
     public InputActionProperty positionInput
     {
@@ -18,14 +24,25 @@ public class TrackedPoseDriver : MonoBehaviour
         set => Bind(ref _rotation, value);
     }
 
+    public InputActionProperty trackingStateInput
+    {
+        get => _trackingState;
+        set => Bind(ref _trackingState, value);
+    }
+
     void Update()
     {
         if (_position.action == null || _rotation.action == null) return;
+        _hadDevice ??= _position.action.HasControl && _rotation.action.HasControl;
+        if (_trackingState.action == null ? !_hadDevice.Value : IsUntracked(_trackingState.action)) return;
         var rotation = _rotation.action.ReadValue<Quaternion>();
         if (rotation == default) return;
         transform.localPosition = _position.action.ReadValue<Vector3>();
         transform.localRotation = rotation;
     }
+
+    // A device that does not report its tracking state counts as tracked.
+    static bool IsUntracked(InputAction state) => state.HasControl && (state.ReadValue<int>() & PositionAndRotation) != PositionAndRotation;
 
     static void Bind(ref InputActionProperty bound, InputActionProperty value)
     {

@@ -89,6 +89,32 @@ public sealed class HeadsetScenesTests
         Assert.That(Quaternion.Angle(camera.rotation, Quaternion.Euler(10, 20, 0)), Is.LessThan(0.1f));
     }
 
+    // A headset that loses its tracking reports a pose at the origin.
+    [TestCase("Samples~/Display Calibration/Display Calibration.unity")]
+    [TestCase("Samples~/Any OpenXR headset/Any OpenXR headset.unity")]
+    public void Camera_HeadsetLosesTracking_KeepsItsPose(string path)
+    {
+        using var player = Play(RepositoryFiles.Package + "/" + path);
+        var camera = player.Find<Camera>().transform;
+        player.Step(0.1);
+        MoveHead(new Vector3(0.1f, 1.6f, -0.2f), trackingState: 3);
+        player.Step(0.2);
+        var tracked = camera.localPosition;
+        Assert.That(tracked, Is.Not.EqualTo(Vector3.zero));
+
+        MoveHead(Vector3.zero, trackingState: 0);
+        player.Step(0.2);
+
+        Assert.That(camera.localPosition, Is.EqualTo(tracked));
+    }
+
+    static void MoveHead(Vector3 position, int trackingState)
+    {
+        Controls.Set("<XRHMD>/centerEyePosition", position);
+        Controls.Set("<XRHMD>/centerEyeRotation", Quaternion.Euler(10, 20, 0));
+        Controls.Set("<XRHMD>/trackingState", trackingState);
+    }
+
     static Player Play(string path) => Play(path, out _);
 
     static Player Play(string path, out IReadOnlyList<GameObject> roots)

@@ -27,7 +27,7 @@ namespace Nowpose.Editor.Setup
             PackageOrigin.OfUnity("com.unity.xr.arfoundation", "5.1.5", min: "5.0.0", below: "6.4.0");
 
         public static readonly PackageOrigin InputSystem =
-            PackageOrigin.OfUnity("com.unity.inputsystem", "1.7.0", isEditorsChoice: true);
+            PackageOrigin.OfUnity("com.unity.inputsystem", "1.7.0", min: "1.5.0", isEditorsChoice: true);
 
         /// <summary>XR Interaction Toolkit before version 3. Version 3 moved types that MRTK3 uses.</summary>
         public static readonly PackageOrigin XrInteraction =

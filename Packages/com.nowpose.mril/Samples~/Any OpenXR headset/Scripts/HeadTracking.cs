@@ -14,7 +14,7 @@ namespace Nowpose.Samples
     [DisallowMultipleComponent]
     public sealed class HeadTracking : MonoBehaviour
     {
-        const string Head = "<XRHMD>/centerEye";
+        const string Head = "<XRHMD>/";
 
         bool _isLevel;
 
@@ -22,8 +22,10 @@ namespace Nowpose.Samples
         {
             if (GetComponent<TrackedPoseDriver>() != null) return;
             var driver = gameObject.AddComponent<TrackedPoseDriver>();
-            driver.positionInput = new InputActionProperty(new InputAction(binding: Head + "Position", expectedControlType: "Vector3"));
-            driver.rotationInput = new InputActionProperty(new InputAction(binding: Head + "Rotation", expectedControlType: "Quaternion"));
+            driver.positionInput = new InputActionProperty(new InputAction(binding: Head + "centerEyePosition", expectedControlType: "Vector3"));
+            driver.rotationInput = new InputActionProperty(new InputAction(binding: Head + "centerEyeRotation", expectedControlType: "Quaternion"));
+            // Without it, version 1.14.0 of the driver never moves the camera if the headset starts after the scene.
+            driver.trackingStateInput = new InputActionProperty(new InputAction(binding: Head + "trackingState", expectedControlType: "Integer"));
         }
 
         void Update()

@@ -6,7 +6,7 @@ using UnityEngine.InputSystem.XR;
 
 namespace Nowpose.Samples
 {
-    /// <summary>Makes the camera follow the headset. Without a headset, or without the Input System, the camera stays in place.</summary>
+    /// <summary>Makes the camera follow the headset. Without a headset, or without Input System 1.5 or newer, the camera stays in place.</summary>
     [AddComponentMenu("Nowpose/Samples/Tracked Camera")]
     [RequireComponent(typeof(Camera))]
     [DisallowMultipleComponent]
@@ -19,13 +19,15 @@ namespace Nowpose.Samples
             var driver = gameObject.AddComponent<TrackedPoseDriver>();
             driver.positionInput = new InputActionProperty(new InputAction(binding: "<XRHMD>/centerEyePosition", expectedControlType: "Vector3"));
             driver.rotationInput = new InputActionProperty(new InputAction(binding: "<XRHMD>/centerEyeRotation", expectedControlType: "Quaternion"));
+            // Without it, version 1.14.0 of the driver never moves the camera if the headset starts after the scene.
+            driver.trackingStateInput = new InputActionProperty(new InputAction(binding: "<XRHMD>/trackingState", expectedControlType: "Integer"));
         }
 #else
         void OnEnable()
         {
             if (!Application.isEditor)
                 Debug.LogWarning(
-                    "[Nowpose] the camera does not follow the headset: install com.unity.inputsystem, or com.unity.xr.openxr, which needs it", this);
+                    "[Nowpose] the camera does not follow the headset: install com.unity.inputsystem 1.5 or newer", this);
         }
 #endif
     }
