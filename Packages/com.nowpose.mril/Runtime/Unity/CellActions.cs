@@ -90,7 +90,10 @@ namespace Nowpose.Unity
             else Connect();
         }
 
-        /// <summary>Starts a new search for the bases of the robots by their markers, or only for the assigned base.</summary>
+        /// <summary>
+        /// Starts a new search for the bases of the robots by their markers, or only for the assigned base. Without markers, confirms a base that is
+        /// not confirmed.
+        /// </summary>
         public void LockBase()
         {
             var session = Session;

@@ -59,7 +59,8 @@ namespace Nowpose.Messages
             : $"{marker} is {difference} from its expected position: put it back, or lock again";
 
         public static string Restored(bool hasMarkers, string problem) =>
-            (hasMarkers ? "restored from an earlier run: look at a marker to confirm it" : "restored from an earlier run: lock it to confirm it")
+            "not confirmed since the app started or was paused: "
+            + (hasMarkers ? "look at a marker to confirm it" : "compare it with the robot; lock it if it matches, or place it again")
             + Because(problem);
 
         /// <param name="hasMarkers">Whether markers are part of the lock.</param>

@@ -26,7 +26,7 @@ namespace Nowpose.Unity.Messages
         public const string BeingPlacedLabel = "being placed";
         public const string FollowsMarker = "the base follows a marker that is being moved";
         public const string NotLocated = "no marker has located the base";
-        public const string Restored = "no marker has confirmed the pose of the base; look at a marker to confirm it";
+        public const string Restored = "the pose of the base is not confirmed; see the instruction of the Base Anchor";
         public const string NotLockedLabel = "base not locked";
         public const string NotConfirmedLabel = "base not confirmed";
         public const string MovedLabel = "base or marker moved";
