@@ -37,7 +37,9 @@ static class AnyHeadsetScene
         var handle = Children.Add("Base Handle", cell, BasePlace);
         AddShape(assets, handle.transform);
         handle.AddComponent<HandPlacedMarker>();
-        Fields.Set(handle.AddComponent<CarriedMarker>(), "_trackingOrigin", rig);
+        var carried = handle.AddComponent<CarriedMarker>();
+        Fields.Set(carried, "_trackingOrigin", rig);
+        Fields.Set(carried, "_anchor", cell.GetComponentInChildren<BaseAnchor>(includeInactive: true));
     }
 
     internal static void AddShape(PackageAssets assets, Transform handle)

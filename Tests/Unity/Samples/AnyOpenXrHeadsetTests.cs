@@ -1,62 +1,16 @@
-using Nowpose.Anchoring;
-using Nowpose.Samples;
 using Nowpose.Unity;
 using Nowpose.Unity.Messages;
 using Nowpose.Unity.Status;
-using Nowpose.UnityPlayer;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.InputSystem;
 
 namespace Nowpose.Unity.Tests.Samples;
 
-/// <summary>Tests the scene of the sample with a simulated headset and simulated controllers.</summary>
-public sealed class AnyOpenXrHeadsetTests
+/// <summary>Tests the camera and the buttons of the sample.</summary>
+public sealed class AnyOpenXrHeadsetTests : AnyOpenXrHeadsetFixture
 {
-    const string Scene = "Packages/com.nowpose.mril/Samples~/Any OpenXR headset/Any OpenXR headset.unity";
-    const string Hand = "<XRController>{RightHand}/device", Grip = "<XRController>{RightHand}/{GripButton}";
-
-    PlayedCell _cell;
-    MrilSession _session;
-
-    [SetUp]
-    public void Begin()
-    {
-        Controls.Clear();
-        _cell = new PlayedCell(RepositoryAssets.NewLibrary());
-        _cell.Player.LoadScene(Scene, roots =>
-        {
-            _session = roots.SelectMany(root => root.GetComponents<MrilSession>()).Single();
-            _session.HeadsetClock = _cell.Clock;
-        });
-        Run(0.1);
-    }
-
-    [TearDown]
-    public void End()
-    {
-        _cell.Dispose();
-        Controls.Clear();
-    }
-
-    void Run(double seconds) => _cell.Run(seconds, _session);
-
-    void Press(string path)
-    {
-        Controls.Set(path, true);
-        Run(0.1);
-        Controls.Set(path, false);
-        Run(0.1);
-    }
-
-    static void MoveHand(Vector3 position, Quaternion rotation)
-    {
-        Controls.Set(Hand + "Position", position);
-        Controls.Set(Hand + "Rotation", rotation);
-    }
-
     CellActions Actions => _session.GetComponent<CellActions>();
-    HandPlacedMarker Marker => _session.GetComponentInChildren<HandPlacedMarker>();
 
     [Test]
     public void Scene_Played_LogsNoErrors()
@@ -167,55 +121,4 @@ public sealed class AnyOpenXrHeadsetTests
 
     // The message of the panel without line breaks.
     string Message => _session.GetComponentInChildren<StatusPanel>().Texts.ValueOf(StatusRow.Message).Replace('\n', ' ');
-
-    [Test]
-    public void Grip_Held_CarriesTheMarkerWithTheHand()
-    {
-        var before = Marker.transform.position;
-        MoveHand(new Vector3(0.3f, 1, 0.5f), Quaternion.identity);
-        Controls.Set(Grip, true);
-        Run(0.1);
-        Assert.That(Marker.IsMoving);
-        Assert.That((Marker.transform.position - before).magnitude, Is.LessThan(1e-5f), "the marker does not jump when it is grasped");
-
-        // Turns the hand by 90° to the right, and raises it by 10 cm.
-        MoveHand(new Vector3(0.3f, 1.1f, 0.5f), Quaternion.Euler(0, 90, 0));
-        Run(0.1);
-        Controls.Set(Grip, false);
-        Run(0.1);
-
-        var arm = before - new Vector3(0.3f, 1, 0.5f);
-        var expected = new Vector3(0.3f, 1.1f, 0.5f) + new Vector3(arm.z, arm.y, -arm.x);
-        Assert.That((Marker.transform.position - expected).magnitude, Is.LessThan(1e-4f));
-        Assert.That(Quaternion.Angle(Marker.transform.rotation, Quaternion.Euler(0, 90, 0)), Is.LessThan(0.1f));
-        Assert.That(Marker.IsMoving, Is.False);
-        var placed = _session.GetComponentInChildren<BaseAnchor>();
-        Assert.That((placed.transform.position - expected).magnitude, Is.LessThan(1e-4f), "the robot's base is where the marker was put");
-        Assert.That(Quaternion.Angle(placed.transform.rotation, Quaternion.Euler(0, 90, 0)), Is.LessThan(0.1f));
-        Assert.That(placed.State, Is.EqualTo(BaseAnchorState.Locked));
-    }
-
-    [Test]
-    public void Grip_HeldByAnUntrackedHand_DoesNotMoveTheMarker()
-    {
-        var before = Marker.transform.position;
-        Controls.Set(Grip, true);
-
-        Run(0.2);
-
-        Assert.That(Marker.transform.position, Is.EqualTo(before));
-        Assert.That(Marker.IsMoving, Is.False);
-    }
-
-    [Test]
-    public void Scripts_DisabledWhileCarrying_ReleaseTheMarker()
-    {
-        MoveHand(new Vector3(0.3f, 1, 0.5f), Quaternion.identity);
-        Controls.Set(Grip, true);
-        Run(0.1);
-
-        Marker.GetComponent<CarriedMarker>().enabled = false;
-
-        Assert.That(Marker.IsMoving, Is.False);
-    }
 }

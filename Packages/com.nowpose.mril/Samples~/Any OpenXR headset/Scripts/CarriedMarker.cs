@@ -1,3 +1,4 @@
+using Nowpose.Anchoring;
 using Nowpose.Unity;
 using UnityEngine;
 using UnityEngine.InputSystem;
@@ -20,8 +21,15 @@ namespace Nowpose.Samples
         [SerializeField, Tooltip("The origin in which controllers are tracked, which is the parent of the camera. Empty: the world's origin.")]
         Transform _trackingOrigin = null;
 
+        [SerializeField, Tooltip("The base that the marker places. Empty: the marker can be carried from any distance, even if the base is locked.")]
+        BaseAnchor _anchor = null;
+
+        [SerializeField, Range(0, 10), Tooltip("Maximum distance between the controller and the marker of a locked base when the button is pressed, "
+            + "metres. Default 0.5: a hand that rests on the button does not move the base, and a hand beside the robot's foot reaches it.")]
+        float _reachMetres = 0.5f;
+
         HandPlacedMarker _marker;
-        InputAction _position, _rotation, _held;
+        InputAction _position, _rotation, _tracked, _held;
         Vector3 _offset;
         Quaternion _turn;
 
@@ -30,37 +38,41 @@ namespace Nowpose.Samples
             _marker = GetComponent<HandPlacedMarker>();
             _position = Enabled(new InputAction(binding: _controller + "/devicePosition", expectedControlType: "Vector3"));
             _rotation = Enabled(new InputAction(binding: _controller + "/deviceRotation", expectedControlType: "Quaternion"));
+            _tracked = Enabled(new InputAction(type: InputActionType.Button, binding: _controller + "/isTracked"));
             _held = Enabled(new InputAction(type: InputActionType.Button, binding: _grip));
         }
 
         void OnDisable()
         {
-            if (_marker.IsMoving) _marker.EndMove();
+            _marker.EndMove();
             _position.Dispose();
             _rotation.Dispose();
+            _tracked.Dispose();
             _held.Dispose();
         }
 
         void Update()
         {
-            if (_held.IsPressed()) Carry();
-            else if (_marker.IsMoving) _marker.EndMove();
+            if (!_held.IsPressed()) _marker.EndMove();
+            // Otherwise the pose is an estimate, or at the origin.
+            else if (_tracked.IsPressed()) Carry();
         }
 
         void Carry()
         {
             var hand = _position.ReadValue<Vector3>();
             var turned = _rotation.ReadValue<Quaternion>();
-            // While the controller is not tracked, its rotation is a quaternion of zeros.
-            if (Quaternion.Dot(turned, turned) < 0.5f) return;
             if (_trackingOrigin != null)
             {
                 hand = _trackingOrigin.TransformPoint(hand);
                 turned = _trackingOrigin.rotation * turned;
             }
-            if (!_marker.IsMoving) Grab(hand, turned);
-            transform.SetPositionAndRotation(hand + turned * _offset, turned * _turn);
+            if (_held.WasPressedThisFrame() && IsWithinReach(hand)) Grab(hand, turned);
+            if (_marker.IsMoving) transform.SetPositionAndRotation(hand + turned * _offset, turned * _turn);
         }
+
+        bool IsWithinReach(Vector3 hand) =>
+            _anchor == null || _anchor.State != BaseAnchorState.Locked || Vector3.Distance(hand, transform.position) <= _reachMetres;
 
         void Grab(Vector3 hand, Quaternion turned)
         {
