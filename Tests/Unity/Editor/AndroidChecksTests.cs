@@ -2,6 +2,7 @@ using Nowpose.Editor.Messages;
 using Nowpose.Editor.Setup;
 using NUnit.Framework;
 using UnityEditor;
+using UnityEngine;
 
 namespace Nowpose.Unity.Tests.Editor;
 
@@ -55,4 +56,15 @@ public sealed class AndroidChecksTests : EditorFixture
     [Test]
     public void Checks_ForAndroid_ContainTheBackgroundOfTheCamera() =>
         Assert.That(ProjectChecks.For(HeadsetPlatform.AndroidHeadset), Does.Contain(RenderingChecks.CameraBackground));
+
+    // The camera of XR Interaction Toolkit's XR Origin has its near clip plane at 0.01 m. A 16-bit depth buffer then has steps of 3.4 mm at 1.5 m.
+    [Test]
+    public void Checks_ForAndroid_AdviseTheNearClipPlane()
+    {
+        Keep(new GameObject("Camera") { tag = "MainCamera" }).AddComponent<Camera>().nearClipPlane = 0.01f;
+        var check = ProjectChecks.For(HeadsetPlatform.AndroidHeadset).SingleOrDefault(each => each.Title == CheckTitles.NearClip);
+
+        Assert.That(check, Is.Not.Null);
+        Assert.That(check.Look(new UnityProjectSettings(HeadsetPlatform.AndroidHeadset)).State, Is.EqualTo(CheckState.Advice));
+    }
 }

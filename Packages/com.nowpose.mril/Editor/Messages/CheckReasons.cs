@@ -42,9 +42,9 @@ namespace Nowpose.Editor.Messages
             + "components are not compiled, and the sample HoloLens 2 (MRTK3) shows missing scripts.";
 
         public const string NearClip =
-            "The headset stabilises the image with a 16-bit depth buffer. A closer near clip plane makes the depth steps larger: at a distance "
-            + "of 1.5 m, a step is 0.34 mm with the plane at 0.1 m, and 1.7 mm with the plane at 0.02 m. MRTK3's rig sets the plane at run time, from "
-            + "its Camera Settings Manager.";
+            "With Depth 16 Bit, the depth buffer has 16 bits. A closer near clip plane makes the depth steps larger, so that touching parts flicker: "
+            + "at a distance of 1.5 m, a step is 0.34 mm with the plane at 0.1 m, and 1.7 mm with the plane at 0.02 m. MRTK3's rig sets the plane at "
+            + "run time, from its Camera Settings Manager.";
 
         public const string OpenXrLoader = "Without OpenXR, the app is a flat window in front of the wearer.";
         public const string MixedRealityOpenXr = "It provides the features of a HoloLens that OpenXR itself lacks: anchors, markers and display times.";
@@ -57,7 +57,8 @@ namespace Nowpose.Editor.Messages
         public const string HandInteraction = "This feature provides the pinch and the pointing ray of each hand for MRTK3.";
         public const string EyeGaze = "Needed by MRTK3 to select a button by looking at it and pinching.";
         public const string DepthSubmission =
-            "The headset stabilises the image with the depth of the scene. A 24-bit depth buffer is slower and hardly improves the image.";
+            "A HoloLens 2 and a Magic Leap 2 stabilise the image with the depth of the scene. A 24-bit depth buffer is slower and hardly improves "
+            + "the image.";
         public const string LatencyOptimization =
             "Unity then waits for the display right before rendering, and L_visu does not depend on the processor time of your scripts. Calibrate "
             + "again after a change.";

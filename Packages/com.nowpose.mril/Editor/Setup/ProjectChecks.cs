@@ -71,6 +71,7 @@ namespace Nowpose.Editor.Setup
             PlayerChecks.FrameTiming,
             PlayerChecks.RunInBackground,
             RenderingChecks.CameraBackground,
+            RenderingChecks.NearClip,
             PlayerChecks.FirstScene,
             NativeWebSocket,
         };

@@ -95,7 +95,8 @@ namespace Nowpose.Editor.Setup
         {
             if (!(project.NearClipMetres is float near)) return CheckResult.Unknown(CheckResults.NoCamera);
             var found = FormattableString.Invariant($"{near:0.###} m");
-            if (near < NearMetres - ToleranceMetres) return CheckResult.Missing(CheckResults.NearClip(found, StepMillimetres(near), RobotMetres));
+            var close = project.Platform == HeadsetPlatform.HoloLens2 ? CheckState.Missing : CheckState.Advice;
+            if (near < NearMetres - ToleranceMetres) return new CheckResult(close, CheckResults.NearClip(found, StepMillimetres(near), RobotMetres));
             return near > MaxNearMetres + ToleranceMetres ? CheckResult.Advice(CheckResults.FarNearClip(found)) : CheckResult.Good(found);
         }
 
