@@ -1,7 +1,9 @@
 using System.Collections.Generic;
+using System.IO;
 using Nowpose.Anchoring;
 using Nowpose.Latency;
 using Nowpose.Network;
+using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Unity;
 using UnityEngine;
@@ -63,6 +65,22 @@ namespace Nowpose.Tests.Unity
             var joints = new double[rig.Model.MovingJoints.Count];
             joints[rig.Model.IndexOfMovingJoint("arm_joint_2")] = 1.2;
             rig.Apply(joints);
+        }
+
+        public sealed class GatewayFile : MonoBehaviour
+        {
+            [SerializeField] MrilSession _session = null;
+            [SerializeField] SessionSettingsAsset _settings = null;
+
+            void Awake()
+            {
+                var path = Path.Combine(Application.persistentDataPath, "gateway.txt");
+                if (!File.Exists(path)) return;
+                var lines = File.ReadAllLines(path);
+                var asset = _settings.ToSettings(lines.Length > 2 ? lines[2] : null);
+                _session.Settings = asset.With(new ConnectionSettings(
+                    lines[0], pin: CertificatePin.Parse(lines[1]), token: asset.Connection.Token, headsetName: asset.Connection.HeadsetName));
+            }
         }
 
         public sealed class MyMarkers : MonoBehaviour, IMarkerSource
