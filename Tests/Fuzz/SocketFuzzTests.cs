@@ -75,8 +75,14 @@ public class SocketFuzzTests
             {
                 // The gateway has already closed the connection, which is correct.
             }
+            client.EndSending();
+            await client.ExpectEndAsync();
         }
 
+        await Soon.BecomesAsync(() => gateway.SyncConnections.Open == 0, $"none of them stays, seed {Seed}");
+        var refused = gateway.SyncConnections[Closure.MalformedFrame];
+        TestContext.Out.WriteLine($"{refused} of {SyncConnections} connections ended for their frames");
+        Assert.That(refused, Is.GreaterThan(SyncConnections * 9 / 10), $"seed {Seed}");
         using var honest = await RawSyncClient.ConnectAsync(gateway);
         var reply = await honest.ExchangeAsync(SyncFrame.Request(7, 42));
         Assert.That(reply?.Sequence, Is.EqualTo(7u), $"seed {Seed}");

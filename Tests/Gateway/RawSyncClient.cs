@@ -63,6 +63,32 @@ sealed class RawSyncClient : IDisposable
         return await ReceiveAsync();
     }
 
+    /// <summary>Shuts down the sending direction of the connection; data can still be received.</summary>
+    public void EndSending()
+    {
+        try
+        {
+            _tcp.Client.Shutdown(SocketShutdown.Send);
+        }
+        catch (SocketException)
+        {
+            // The gateway has already closed the connection.
+        }
+    }
+
+    /// <summary>Waits until the gateway has closed the connection. Ignores all data received before.</summary>
+    public async Task ExpectEndAsync()
+    {
+        try
+        {
+            await Stream.CopyToAsync(Stream.Null).Bounded();
+        }
+        catch (IOException)
+        {
+            // The gateway closed the connection before it had read all bytes, which resets the connection.
+        }
+    }
+
     public void Dispose()
     {
         Stream?.Dispose();
