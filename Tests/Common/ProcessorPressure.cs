@@ -19,19 +19,30 @@ static class ProcessorPressure
         return TimeSpan.FromMicroseconds(long.Parse(some[(some.LastIndexOf('=') + 1)..], CultureInfo.InvariantCulture));
     }
 
-    /// <summary>Starts to measure a time that does not depend on the load of the machine.</summary>
-    /// <returns>
-    /// A function that returns the time since the start, without the time during which a task of this machine waited for a processor; null if the
-    /// kernel does not measure that time.
-    /// </returns>
-    public static Func<TimeSpan?> StartWatch()
+    /// <summary>
+    /// Returns the total time during which the calling thread waited for a processor or a garbage collection; null if the kernel does not measure it.
+    /// </summary>
+    public static TimeSpan? WaitedByThread()
     {
-        var (since, before) = (Stopwatch.GetTimestamp(), Waited());
+        const string schedule = "/proc/thread-self/schedstat";
+        if (!System.IO.File.Exists(schedule)) return null;
+        var nanoseconds = long.Parse(System.IO.File.ReadAllText(schedule).Split(' ')[1], CultureInfo.InvariantCulture);
+        return TimeSpan.FromMicroseconds(nanoseconds / 1000.0) + GC.GetTotalPauseDuration();
+    }
+
+    /// <summary>Starts to measure a time that does not depend on the load of the machine.</summary>
+    /// <param name="waited"><see cref="Waited"/>, or <see cref="WaitedByThread"/> for calls on the same thread.</param>
+    /// <returns>
+    /// A function that returns the time since the start, and that time without the waiting time, which is null if the kernel does not measure it.
+    /// </returns>
+    public static Func<(TimeSpan Elapsed, TimeSpan? WithoutWaiting)> StartWatch(Func<TimeSpan?> waited)
+    {
+        var (since, before) = (Stopwatch.GetTimestamp(), waited());
         return () =>
         {
             // Reads the waiting time last, so that a pause between the readings cannot lengthen the result.
             var elapsed = Stopwatch.GetElapsedTime(since);
-            return elapsed - (Waited() - before);
+            return (elapsed, elapsed - (waited() - before));
         };
     }
 }

@@ -19,7 +19,7 @@ public class PlantFaultTests
     /// <summary>Documented maximum time until a fault is reported. Excludes time during which a task waited for a processor.</summary>
     static readonly TimeSpan Promise = TimeSpan.FromSeconds(2);
 
-    /// <summary>Maximum time if the kernel does not measure the time in which tasks wait for a processor.</summary>
+    /// <summary>Maximum time with the time in which tasks wait for a processor, which is nearly the whole time on a busy machine.</summary>
     static readonly TimeSpan Limit = TimeSpan.FromSeconds(15);
 
     /// <summary>Time between two readings of the status, ms. Each reading sends three requests, which take more processor time than the plant.</summary>
@@ -168,14 +168,15 @@ public class PlantFaultTests
     async Task<Dictionary<string, Delay>> EverywhereAsync(DateTimeOffset since, Func<ShownStatus, string, bool> shows, string what)
     {
         var first = new Dictionary<string, Delay>();
-        var waited = ProcessorPressure.Waited();
+        // Only the time until here depends on a clock that can be set.
+        var (waited, before, start) = (ProcessorPressure.Waited(), DateTimeOffset.UtcNow - since, Stopwatch.GetTimestamp());
         var status = default(ShownStatus);
         await Soon.BecomesAsync(
             () =>
             {
                 status = ReadAsync().GetAwaiter().GetResult();
                 var showing = Places.Where(place => shows(status, place)).ToList();
-                foreach (var place in showing) first.TryAdd(place, new Delay(DateTimeOffset.UtcNow - since, ProcessorPressure.Waited() - waited));
+                foreach (var place in showing) first.TryAdd(place, new Delay(before + Stopwatch.GetElapsedTime(start), ProcessorPressure.Waited() - waited));
                 return showing.Count == Places.Count;
             },
             () => $"{what}; only {string.Join(", ", first.Keys)}; {status}\n{_gateway.All}", ReadingIntervalMs);
@@ -195,7 +196,7 @@ public class PlantFaultTests
     readonly record struct Delay(TimeSpan Length, TimeSpan? Waited)
     {
         // A tenth of the waiting time is added, because the caches of a busy processor are cold.
-        public bool IsKept => Waited is { } waited ? Length - waited < Promise + waited / 10 : Length < Limit;
+        public bool IsKept => Length < Limit && (Waited is not { } waited || Length - waited < Promise + waited / 10);
 
         public override string ToString() =>
             string.Create(CultureInfo.InvariantCulture, $"{Length.TotalSeconds:0.00} s ({Waited?.TotalSeconds:0.00} s of it with busy processors)");
