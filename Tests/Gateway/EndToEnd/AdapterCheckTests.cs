@@ -8,6 +8,12 @@ namespace Nowpose.Headless.Tests.Gateway.EndToEnd;
 
 public class AdapterCheckTests : PlantFileFixture
 {
+    /// <summary>Name of a variable for two plants. No other test has plants with their names.</summary>
+    const string PasswordVariable = "NOWPOSE_PLANT_PASSWORD_CHECKED_PRESS_3";
+
+    [TearDown]
+    public void RemovePassword() => Environment.SetEnvironmentVariable(PasswordVariable, null);
+
     [Test]
     public void Check_FilesWithInvalidEntries_ReportsEachInvalidLine()
     {
@@ -37,9 +43,7 @@ public class AdapterCheckTests : PlantFileFixture
     [TestCase(false)]
     public async Task Check_NamesThatDifferOnlyInPunctuation_AreRefusedIfBothHaveAPasswordVariable(bool isRefused)
     {
-        // No other test has plants with these names.
-        const string variable = "NOWPOSE_PLANT_PASSWORD_CHECKED_PRESS_3";
-        Environment.SetEnvironmentVariable(variable, "secret");
+        Environment.SetEnvironmentVariable(PasswordVariable, "secret");
         string Plant(string name, bool hasUser) => Write(
             Good.Replace("name: absent", $"name: {name}{(hasUser ? "\n  user: { name: reader }" : "")}"), name + ".yaml");
         var (first, second) = (Plant("checked-press-3", hasUser: true), Plant("checked_press_3", isRefused));
@@ -51,7 +55,7 @@ public class AdapterCheckTests : PlantFileFixture
         }
 
         var wrong = Assert.ThrowsAsync<WrongEntriesException>(() => AdapterProcesses.CheckAsync([first, second], default));
-        Assert.That(wrong.Lines, Is.EqualTo(new[] { AdapterMessages.SamePassword(second, variable, first) }));
+        Assert.That(wrong.Lines, Is.EqualTo(new[] { AdapterMessages.SamePassword(second, PasswordVariable, first) }));
     }
 
     [TestCase("ads://PLC/1.2.3.4.1.1:852", true, true)]
