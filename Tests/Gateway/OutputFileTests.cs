@@ -168,7 +168,7 @@ public sealed class OutputFileTests
     [Platform("Linux")]
     public async Task HeadsetFile_ChangedByAPrivilegedProcess_KeepsTheOwner()
     {
-        Assume.That(Environment.IsPrivilegedProcess);
+        if (!Environment.IsPrivilegedProcess) Assert.Ignore("only root can give files away");
         Fill();
         await RunAsync("chown", "123:456", At("headsets.txt"));
 

@@ -37,7 +37,7 @@ public class PackagingTests
     static (int Status, string Output) Analyze(params string[] arguments)
     {
         const string Tool = "/usr/bin/systemd-analyze";
-        if (!File.Exists(Tool)) Assert.Ignore($"{Tool} is not installed");
+        Needs.Program(File.Exists(Tool), "systemd");
         var start = new ProcessStartInfo(Tool, arguments) { RedirectStandardOutput = true, RedirectStandardError = true };
         using var process = Process.Start(start);
         var errors = process.StandardError.ReadToEndAsync();
