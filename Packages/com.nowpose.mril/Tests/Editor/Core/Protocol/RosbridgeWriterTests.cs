@@ -47,9 +47,9 @@ namespace Nowpose.Tests.Core.Protocol
         public void JointState_CultureWithDecimalComma_WritesDecimalPoints()
         {
             using var culture = new DecimalComma();
-            var state = new JointStateMessage(ControlTime.FromSeconds(1), new[] { "a" }, new[] { 1.5 });
+            var state = new JointStateMessage(ControlTime.FromSeconds(1), new[] { "a" }, new[] { -1.5 });
 
-            Assert.That(RosbridgeWriter.Publish("/joint_states", state, RosTimeForm.Sec), Does.Contain("[1.5]"));
+            Assert.That(RosbridgeWriter.Publish("/joint_states", state, RosTimeForm.Sec), Does.Contain("[-1.5]"));
         }
 
         [Test]

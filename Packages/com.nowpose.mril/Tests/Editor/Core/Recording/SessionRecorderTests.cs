@@ -96,9 +96,11 @@ namespace Nowpose.Tests.Core.Recording
             Assert.That(run.Of("display").Select(line => (string)line["reprojection"]), Is.EqualTo(new[] { null, "depth" }));
         }
 
+        // Also with a culture that writes other numbers.
         [Test]
         public void Lines_SimulatedSession_ContainItsEventsInOrder()
         {
+            using var culture = new DecimalComma();
             var simulated = new SimulatedSession(NetworkProfile.Wifi, seed: 7);
             var taken = new List<Arrival<JointStateMessage>>();
             var exchanges = new List<SyncExchange>();
