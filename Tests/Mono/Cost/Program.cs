@@ -19,14 +19,14 @@ namespace Nowpose.Mono.Cost
     {
         const int Runs = 4;
 
-        /// <summary>Maximum ratios of the medians to the medians of the quadratic predictor. The measured ratios are about 7 and 0.7.</summary>
-        const double MaxSampleRatio = 20, MaxFrameRatio = 5;
+        /// <summary>Maximum ratios of the medians to the medians of the quadratic predictor. The measured ratios are 5.6 to 8.7, and 0.7.</summary>
+        const double MaxSampleRatio = 12, MaxFrameRatio = 2;
 
         /// <summary>
         /// Maximum increase of the 99th percentile of a whole frame over that of the quadratic predictor, in µs. The measured increase is
         /// about 65 µs.
         /// </summary>
-        const double MaxIncrease = 250;
+        const double MaxIncrease = 150;
 
         /// <summary>Frames per second of a headset.</summary>
         const double FrameRate = 60;
