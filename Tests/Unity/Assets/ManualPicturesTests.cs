@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Unity.Tests.Assets;
 
-/// <summary>Tests the pictures of the prefabs in the manual, and compares them with the current output of the tool that draws them.</summary>
+/// <summary>Tests the drawings of the prefabs for the manual. The tool's option <c>--check</c> compares them with the files.</summary>
 public sealed class ManualPicturesTests
 {
     static readonly XNamespace Svg = "http://www.w3.org/2000/svg";
@@ -45,8 +45,14 @@ public sealed class ManualPicturesTests
     static bool IsBlue(string fill) => string.CompareOrdinal(fill[5..7], fill[1..3]) > 0;
 
     [Test]
-    public void Readme_PictureOfTheCell_IsThePictureInTheManual() =>
-        Assert.That(RepositoryFiles.Read("README.md"), Does.Contain($"]({RepositoryFiles.Package}/Documentation~/images/cell.svg)"));
+    public void Readme_PictureOfTheCell_IsThePictureInTheManual()
+    {
+        const string picture = RepositoryFiles.Package + "/Documentation~/images/cell.svg";
+
+        var gap = Regex.Match(RepositoryFiles.Read(picture), @"without Nowpose: (\d+ mm behind)").Groups[1].Value;
+
+        Assert.That(RepositoryFiles.Read("README.md"), Does.Match(@$"!\[[^]]+ {gap} [^]]+\]\({picture}\)"));
+    }
 
     static double[] Opacities(XElement part) => [.. part.Elements(Svg + "path")
         .Select(path => double.Parse(path.Attribute("fill-opacity").Value, CultureInfo.InvariantCulture)).Distinct().Order()];
@@ -68,7 +74,7 @@ public sealed class ManualPicturesTests
     {
         var shader = RepositoryFiles.Under(RepositoryFiles.Package + "/Runtime/Shaders", ".hlsl").Select(RepositoryFiles.Read)
             .SingleOrDefault(text => text.Contains("#define NOWPOSE_STRIPE_METRES", StringComparison.Ordinal));
-        Assume.That(shader, Is.Not.Null);
+        Assert.That(shader, Is.Not.Null);
 
         var metres = Regex.Match(shader, @"#define NOWPOSE_STRIPE_METRES ([\d.]+)").Groups[1].Value;
         Assert.That(HologramLook.StripeMetres, Is.EqualTo(float.Parse(metres, CultureInfo.InvariantCulture)));

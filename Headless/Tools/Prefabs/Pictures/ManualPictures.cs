@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Text.RegularExpressions;
 using MixedReality.Toolkit.UX;
 using Nowpose.Prefabs.Mrtk3;
 using Nowpose.Unity;
@@ -10,6 +11,9 @@ namespace Nowpose.Prefabs.Pictures;
 /// <summary>Draws the manual's pictures, which show the package's prefabs as a user sees them.</summary>
 static class ManualPictures
 {
+    /// <summary>Matches a coordinate of a path, such as M201.8 168.9L101.6 162.7Z.</summary>
+    static readonly Regex Coordinate = new(@"(?<=[ML])-?\d+\.\d(?= )|(?<= )-?\d+\.\d(?=[LZ])");
+
     const string Folder = "Packages/com.nowpose.mril/Documentation~/images/";
 
     /// <summary>Field of view of a HoloLens 2, degrees.</summary>
@@ -20,14 +24,19 @@ static class ManualPictures
     /// <summary>Distance between the displayed gripper and the ghost in the picture, so that both are visible.</summary>
     const float GapMetres = 0.05f;
 
-    /// <returns>Paths of the written files.</returns>
-    public static IEnumerable<string> Write(string root)
+    /// <summary>Draws the pictures whose files differ from what is drawn.</summary>
+    /// <returns>Paths relative to the root, and what is drawn.</returns>
+    public static IEnumerable<(string Path, string Svg)> Differing(string root) =>
+        new[] { ("pose-appearance.svg", Appearance(root)), ("status-panel.svg", Panel(root)), ("cell.svg", Cell(root)) }
+            .Select(picture => (Path: Folder + picture.Item1, Svg: picture.Item2))
+            .Where(picture => !File.Exists(Path.Combine(root, picture.Path)) || Differ(File.ReadAllText(Path.Combine(root, picture.Path)), picture.Svg));
+
+    // Another processor may round a coordinate in the other direction.
+    static bool Differ(string file, string drawn)
     {
-        foreach (var (name, svg) in new[] { ("pose-appearance.svg", Appearance(root)), ("status-panel.svg", Panel(root)), ("cell.svg", Cell(root)) })
-        {
-            File.WriteAllText(Path.Combine(root, Folder + name), svg);
-            yield return Folder + name;
-        }
+        static IEnumerable<double> Coordinates(string svg) => Coordinate.Matches(svg).Select(match => double.Parse(match.Value, CultureInfo.InvariantCulture));
+        return Coordinate.Replace(file, "") != Coordinate.Replace(drawn, "")
+            || Coordinates(file).Zip(Coordinates(drawn), (one, other) => Math.Abs(one - other)).Any(difference => difference > 0.15);
     }
 
     /// <summary>Draws the whole cell without and with compensation, at the same moment.</summary>
