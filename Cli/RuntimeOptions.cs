@@ -23,7 +23,7 @@ static class RuntimeOptions
     public static LatencyProfile ProfileOf(ParseResult parsed, Option<string> profile, params Option[] given)
     {
         if (parsed.GetValue(profile) is not { } path) return null;
-        if (Array.Find(given, option => parsed.GetResult(option) is { Implicit: false }) is { } other)
+        if (Array.Find(given, parsed.IsGiven) is { } other)
             throw new InputException(OptionValueMessages.TwoLatencies(other.Name));
         return LatencyProfileFile.Load(path);
     }

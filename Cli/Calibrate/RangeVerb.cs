@@ -1,7 +1,6 @@
 using System.CommandLine;
 using Nowpose.Cli.Calibrate.Range;
 using Nowpose.Cli.Messages;
-using Nowpose.Cli.Replay;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
 
@@ -53,7 +52,7 @@ static class RangeVerb
     {
         var option = DeviceOptions.KindOf(parsed.GetValue(Source));
         if (recorded == RenderTimeSourceKind.None || recorded == option) return option;
-        if (!RecordingOptions.IsGiven(parsed, Source)) return recorded;
+        if (!parsed.IsGiven(Source)) return recorded;
         throw new InputException(PairFileMessages.OtherSource(file, parsed.GetValue(Source), LatencyNames.RenderTimeSource.NameOf(recorded)));
     }
 

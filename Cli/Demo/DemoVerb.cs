@@ -92,7 +92,7 @@ static class DemoVerb
         ];
         if (other.Length > 0)
             throw new InputException(DemoMessages.NotWithPaper(string.Join(", ", other.Select(option => option.Name))));
-        var seconds = RecordingOptions.IsGiven(parsed, Seconds) ? parsed.GetValue(Seconds) : PaperScenario.Seconds;
+        var seconds = parsed.IsGiven(Seconds) ? parsed.GetValue(Seconds) : PaperScenario.Seconds;
         if (seconds < PaperScenario.MinSeconds)
             throw new InputException(DemoMessages.PaperSeconds(seconds, PaperScenario.MinSeconds));
         return Settings(parsed) with { Seconds = seconds };
@@ -100,7 +100,7 @@ static class DemoVerb
 
     // Returns the option if the user gave it a value other than the paper's value.
     static IEnumerable<Option> Others<T>(ParseResult parsed, Option<T> option, T papers = default) =>
-        RecordingOptions.IsGiven(parsed, option) && !EqualityComparer<T>.Default.Equals(parsed.GetValue(option), papers) ? [option] : [];
+        parsed.IsGiven(option) && !EqualityComparer<T>.Default.Equals(parsed.GetValue(option), papers) ? [option] : [];
 
     internal static DemoSettings Settings(ParseResult parsed)
     {
@@ -110,7 +110,7 @@ static class DemoVerb
         var renders = parsed.GetValue(Paper) ? Paper.Name : parsed.GetValue(Load) != null ? Load.Name : null;
         if (renders != null && parsed.GetValue(Visualisation) < MinWithLoadMs)
             throw new InputException(DemoMessages.VisuWithLoad(parsed.GetValue(Visualisation), renders, MinWithLoadMs));
-        if (RecordingOptions.IsGiven(parsed, Repeats) && !parsed.GetValue(Paper) && !parsed.GetValue(Virtual))
+        if (parsed.IsGiven(Repeats) && !parsed.GetValue(Paper) && !parsed.GetValue(Virtual))
             throw new InputException(DemoMessages.RepeatsAlone);
         var robot = RobotFiles.Load(parsed.GetValue(Robot), out var urdf);
         var recording = parsed.GetValue(Recording) is { } path ? MotionRecording.Read(path) : null;

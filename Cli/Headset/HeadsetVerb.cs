@@ -1,7 +1,6 @@
 using System.CommandLine;
 using System.Net;
 using Nowpose.Cli.Messages;
-using Nowpose.Cli.Replay;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
 using Nowpose.Latency;
@@ -100,7 +99,7 @@ static class HeadsetVerb
     static string RecordingPathOf(ParseResult parsed)
     {
         var given = parsed.GetValue(Record);
-        if (given == null && RecordingOptions.IsGiven(parsed, RecordMegabytes)) throw new InputException(HeadsetMessages.MaximumWithoutRecording);
+        if (given == null && parsed.IsGiven(RecordMegabytes)) throw new InputException(HeadsetMessages.MaximumWithoutRecording);
         return Path.GetExtension(given)?.ToLowerInvariant() is ".gz" or ".csv" ? throw new InputException(HeadsetMessages.RecordingName(given)) : given;
     }
 

@@ -15,9 +15,7 @@ static class RecordingOptions
     public static void RequireUnset(ParseResult parsed, string why, params Option[] options)
     {
         foreach (var option in options)
-            if (IsGiven(parsed, option))
+            if (parsed.IsGiven(option))
                 throw new InputException($"{option.Name}: {why}");
     }
-
-    public static bool IsGiven(ParseResult parsed, Option option) => parsed.GetResult(option) is { Implicit: false };
 }

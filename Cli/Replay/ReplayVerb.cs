@@ -56,10 +56,10 @@ static class ReplayVerb
                 StampError = parsed.GetValue(stampError) / MsPerSecond,
                 Jitter = parsed.GetValue(jitter) / MsPerSecond,
                 Loss = parsed.GetValue(loss),
-                Blend = RecordingOptions.IsGiven(parsed, blend) ? parsed.GetValue(blend) / MsPerSecond : null,
+                Blend = parsed.IsGiven(blend) ? parsed.GetValue(blend) / MsPerSecond : null,
                 Seed = parsed.GetValue(seed)
             };
-            var isDefault = !RecordingOptions.IsGiven(parsed, predictor);
+            var isDefault = !parsed.IsGiven(predictor);
             return RunAsync(path, settings, parsed.GetValue(frames), parsed.GetValue(json), isDefault, cancellation);
         });
         return verb;

@@ -34,7 +34,7 @@ static class SyncVerb
     }
 
     static string PageOf(ParseResult parsed, Option<string> page) =>
-        parsed.GetResult(page) is { Implicit: false } ? parsed.GetValue(page) ?? SyncPage.DefaultPath : null;
+        parsed.IsGiven(page) ? parsed.GetValue(page) ?? SyncPage.DefaultPath : null;
 
     /// <param name="page">Path of the page; null to write none.</param>
     static async Task<int> RunAsync(string file, string estimator, string at, bool json, string page, CancellationToken cancel)

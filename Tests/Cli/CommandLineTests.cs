@@ -118,14 +118,30 @@ public partial class CommandLineTests
     [TestCase("gateway.md")]
     public void Create_Commands_AreThoseInTheTableOfTheManual(string page)
     {
-        var program = page == "gateway.md" ? Nowpose.Gateway.CommandLine.Create(new ConfiguredArguments()) : Nowpose.Cli.CommandLine.Create();
         var rows = RepositoryFiles.Read($"{RepositoryFiles.Package}/Documentation~/{page}").Split('\n')
             .SkipWhile(line => line != "| Command | Purpose |").Skip(2).TakeWhile(line => line.StartsWith('|'));
 
         var listed = rows.SelectMany(row => ListedCommand().Matches(row.Split('|')[1])).Select(match => match.Groups[1].Value);
 
-        Assert.That(listed, Is.EquivalentTo(program.Subcommands.Select(command => command.Name)), $"each command needs a row in the table of {page}");
+        Assert.That(listed, Is.EquivalentTo(ProgramOf(page).Subcommands.Select(command => command.Name)), $"each command needs a row in the table of {page}");
     }
+
+    [TestCase("command-line.md")]
+    [TestCase("gateway.md")]
+    public void Create_Options_AreInTheManual(string page)
+    {
+        var manual = string.Concat(RepositoryFiles.Under($"{RepositoryFiles.Package}/Documentation~", ".md").Select(RepositoryFiles.Read));
+
+        var missing = WithSubcommands(ProgramOf(page)).SelectMany(command => command.Options).Where(option => !option.Hidden).Select(option => option.Name)
+            .Distinct().Where(name => !Regex.IsMatch(manual, name + @"(?![\w-])"));
+
+        Assert.That(missing, Is.Empty, "describe each option on a page of the manual");
+    }
+
+    static Command ProgramOf(string page) =>
+        page == "gateway.md" ? Nowpose.Gateway.CommandLine.Create(new ConfiguredArguments()) : Nowpose.Cli.CommandLine.Create();
+
+    static IEnumerable<Command> WithSubcommands(Command command) => command.Subcommands.SelectMany(WithSubcommands).Prepend(command);
 
     [GeneratedRegex(@"`([\w-]+)[^`]*`")]
     private static partial Regex ListedCommand();

@@ -22,10 +22,12 @@ public class InterruptTests
         "nowpose kinematics FIFO",
         "nowpose replay FIFO",
         "nowpose sync FIFO",
+        "nowpose sync FOLDER/exchanges.csv --at FIFO",
         "nowpose recommend FIFO",
         "nowpose calibrate range FIFO",
         "nowpose calibrate sine FIFO",
         "nowpose calibrate sine FILE.csv --profile FIFO",
+        "nowpose calibrate sine FOLDER/jog.csv --control FIFO",
         "nowpose calibrate vlc FOLDER/a.png --profile FIFO",
         "nowpose calibrate vlc FOLDER/a.png --sweep FIFO",
         "nowpose calibrate head FOLDER/a.png --profile FIFO",
@@ -33,6 +35,9 @@ public class InterruptTests
         "nowpose unity FOLDER",
         "nowpose headset --token-file FIFO",
         "nowpose headset --robot FIFO",
+        "nowpose headset --profile FIFO",
+        "nowpose demo --robot FIFO",
+        "nowpose demo --profile FIFO",
         "nowpose demo --recording FIFO",
         "gateway pairings --pairing FIFO",
         "gateway cell --cell c --host h --certificate FIFO",
@@ -60,6 +65,8 @@ public class InterruptTests
         Directory.CreateDirectory(Path.Combine(_folder.Path, "Packages"));
         await File.WriteAllTextAsync(Path.Combine(_folder.Path, "ProjectSettings", "ProjectVersion.txt"), "m_EditorVersion: 2022.3.10f1\n");
         await File.WriteAllTextAsync(Path.Combine(_folder.Path, "a.png"), "");
+        await File.WriteAllTextAsync(Path.Combine(_folder.Path, "exchanges.csv"), "t1_ns,t2_ns,t3_ns,t4_ns\n0,10,20,30\n100,110,120,130\n");
+        await File.WriteAllTextAsync(Path.Combine(_folder.Path, "jog.csv"), "t_s,hologram_px\n0,1\n0.1,2\n0.2,3\n");
         _fifo = Path.Combine(_folder.Path, "Packages", "manifest.json");
         using var made = Process.Start("mkfifo", [_fifo]);
         await made.WaitForExitAsync().Bounded();
