@@ -9,3 +9,12 @@ public sealed class ARTrackedImageManager : ARTrackableManager<
 {
     internal override void OnUpdated(ARTrackedImage image, XRTrackedImage data) => image.referenceImage = new XRReferenceImage(data.Name);
 }
+
+[DisallowMultipleComponent]
+[DefaultExecutionOrder(int.MinValue + 2)]
+public class ARTrackedImage : ARTrackable<XRTrackedImage, ARTrackedImage>
+{
+    public Vector2 size => sessionRelativeData.size;
+
+    public XRReferenceImage referenceImage { get; internal set; }
+}

@@ -80,3 +80,7 @@ public class XRAnchorSubsystem : TrackingSubsystem<XRAnchor, XRAnchorSubsystem, 
     {
     }
 }
+
+public class XRAnchorSubsystemDescriptor : SubsystemDescriptorWithProvider<XRAnchorSubsystem, XRAnchorSubsystem.Provider>
+{
+}

@@ -9,3 +9,7 @@ public class XRImageTrackingSubsystem : TrackingSubsystem<
     {
     }
 }
+
+public class XRImageTrackingSubsystemDescriptor : SubsystemDescriptorWithProvider<XRImageTrackingSubsystem, XRImageTrackingSubsystem.Provider>
+{
+}

@@ -40,3 +40,30 @@ public sealed class InputAction : IDisposable
         return default;
     }
 }
+
+public enum InputActionType
+{
+    Value,
+    Button,
+    PassThrough,
+}
+
+[Serializable]
+public struct InputActionProperty
+{
+    public InputActionProperty(InputAction action) => this.action = action;
+
+    public InputAction action { get; }
+}
+
+public static class InputActionSetupExtensions
+{
+    public static BindingSyntax AddBinding(
+        this InputAction action, string path, string interactions = null, string processors = null, string groups = null)
+    {
+        action.Bind(path);
+        return default;
+    }
+
+    public struct BindingSyntax { }
+}

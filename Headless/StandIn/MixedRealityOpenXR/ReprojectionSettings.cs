@@ -16,3 +16,12 @@ public struct ReprojectionSettings
         set => _mode = value;
     }
 }
+
+public enum ReprojectionMode
+{
+    Depth = 1,
+    PlanarFromDepth = 2,
+    PlanarManual = 3,
+    OrientationOnly = 4,
+    NoReprojection = -1,
+}

@@ -16,3 +16,9 @@ public class ViewConfiguration
 
     public void SetReprojectionSettings(ReprojectionSettings settings) => Set.Add(settings);
 }
+
+public enum FrameTime
+{
+    OnUpdate = 0,
+    OnBeforeRender,
+}

@@ -15,3 +15,7 @@ public class XRMarkerSubsystem : TrackingSubsystem<XRMarker, XRMarkerSubsystem, 
     {
     }
 }
+
+public class XRMarkerSubsystemDescriptor : SubsystemDescriptorWithProvider<XRMarkerSubsystem, XRMarkerSubsystem.Provider>
+{
+}

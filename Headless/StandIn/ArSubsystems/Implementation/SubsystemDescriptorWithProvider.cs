@@ -6,3 +6,9 @@ public abstract class SubsystemDescriptorWithProvider : ISubsystemDescriptor
 
     ISubsystem ISubsystemDescriptor.Create() => null;
 }
+
+public class SubsystemDescriptorWithProvider<TSubsystem, TProvider> : SubsystemDescriptorWithProvider
+    where TSubsystem : SubsystemWithProvider, new()
+    where TProvider : SubsystemProvider<TSubsystem>
+{
+}

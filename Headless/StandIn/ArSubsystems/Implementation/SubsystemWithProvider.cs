@@ -10,3 +10,10 @@ public abstract class SubsystemWithProvider : ISubsystem
 
     public void Destroy() => running = false;
 }
+
+public abstract class SubsystemWithProvider<TSubsystem, TSubsystemDescriptor, TProvider> : SubsystemWithProvider
+    where TSubsystem : SubsystemWithProvider, new()
+    where TSubsystemDescriptor : SubsystemDescriptorWithProvider
+    where TProvider : SubsystemProvider<TSubsystem>
+{
+}

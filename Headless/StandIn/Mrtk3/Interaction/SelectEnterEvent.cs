@@ -6,3 +6,7 @@ namespace UnityEngine.XR.Interaction.Toolkit;
 public sealed class SelectEnterEvent : UnityEvent<SelectEnterEventArgs>
 {
 }
+
+public class SelectEnterEventArgs
+{
+}

@@ -6,3 +6,7 @@ namespace UnityEngine.XR.Interaction.Toolkit;
 public sealed class SelectExitEvent : UnityEvent<SelectExitEventArgs>
 {
 }
+
+public class SelectExitEventArgs
+{
+}

@@ -6,3 +6,12 @@ namespace MixedReality.Toolkit.SpatialManipulation;
 public abstract class Solver : MonoBehaviour
 {
 }
+
+public class SolverHandler : MonoBehaviour
+{
+    [SerializeField] bool updateSolvers = true;
+}
+
+public class HandConstraintPalmUp : HandConstraint
+{
+}

@@ -6,3 +6,10 @@ public enum BuildTarget
     StandaloneWindows64 = 19,
     WSAPlayer = 21,
 }
+
+public enum BuildTargetGroup
+{
+    Standalone = 1,
+    Android = 7,
+    WSA = 14,
+}

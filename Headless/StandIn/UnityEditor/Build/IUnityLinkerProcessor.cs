@@ -7,3 +7,8 @@ public interface IUnityLinkerProcessor : IOrderedCallback
 {
     string GenerateAdditionalLinkXmlFile(BuildReport report, UnityLinkerBuildPipelineData data);
 }
+
+public interface IOrderedCallback
+{
+    int callbackOrder { get; }
+}

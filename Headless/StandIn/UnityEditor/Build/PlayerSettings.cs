@@ -86,3 +86,22 @@ public sealed class PlayerSettings : Object
         }
     }
 }
+
+[Flags]
+public enum AndroidArchitecture : uint
+{
+    ARM64 = 2,
+    X86_64 = 8,
+}
+
+public enum ApiCompatibilityLevel
+{
+    NET_Standard = 6,
+    NET_Unity_4_8 = 3,
+}
+
+public enum ScriptingImplementation
+{
+    Mono2x = 0,
+    IL2CPP = 1,
+}

@@ -43,3 +43,13 @@ public class Editor : ScriptableObject, IPreviewable, IToolModeOwner
 
     public void Repaint() { }
 }
+
+/// <summary>Base interface of <see cref="Editor"/>, as in Unity. The stand-in does not use it.</summary>
+interface IPreviewable
+{
+}
+
+/// <summary>Base interface of <see cref="Editor"/>, as in Unity. The stand-in does not use it.</summary>
+interface IToolModeOwner
+{
+}

@@ -31,3 +31,11 @@ public sealed class EditorGUI
         return chosen;
     }
 }
+
+public enum MessageType
+{
+    None = 0,
+    Info = 1,
+    Warning = 2,
+    Error = 3,
+}

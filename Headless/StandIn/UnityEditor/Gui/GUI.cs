@@ -13,3 +13,19 @@ public class GUI
         public void Dispose() => CloseScope();
     }
 }
+
+public class GUIContent
+{
+    public GUIContent(string text) => this.text = text;
+
+    public string text { get; set; }
+}
+
+public sealed class GUIStyle
+{
+    internal GUIStyle() { }
+}
+
+public class GUIUtility
+{
+}

@@ -15,3 +15,8 @@ public class GUILayout
 
     public static GUILayoutOption Width(float width) => new GUILayoutOption();
 }
+
+public sealed class GUILayoutOption
+{
+    internal GUILayoutOption() { }
+}

@@ -6,3 +6,10 @@ public class Error
 
     public string message { get; }
 }
+
+public enum StatusCode
+{
+    InProgress = 0,
+    Success = 1,
+    Failure = 2,
+}

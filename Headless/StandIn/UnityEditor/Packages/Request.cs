@@ -22,3 +22,13 @@ public abstract class Request : ISerializationCallbackReceiver
         Error = new Error(message);
     }
 }
+
+public abstract class Request<T> : Request
+{
+    internal Request() { }
+}
+
+public sealed class AddRequest : Request<PackageInfo>
+{
+    internal AddRequest() { }
+}

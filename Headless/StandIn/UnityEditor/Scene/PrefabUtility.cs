@@ -41,3 +41,15 @@ public sealed class PrefabUtility
     public static TObject GetCorrespondingObjectFromSource<TObject>(TObject componentOrGameObject) where TObject : Object =>
         Sources.TryGetValue(componentOrGameObject, out var source) ? (TObject)source : null;
 }
+
+public enum InteractionMode
+{
+    AutomatedAction = 0,
+    UserAction = 1,
+}
+
+public enum PrefabUnpackMode
+{
+    OutermostRoot = 0,
+    Completely = 1,
+}

@@ -88,3 +88,33 @@ sealed class PersistentCall
         return null;
     }
 }
+
+/// <summary>The persistent calls of an event, as Unity serialises them.</summary>
+[Serializable]
+sealed class PersistentCallGroup
+{
+    [SerializeField, SerializedName("m_Calls")] List<PersistentCall> _calls = new();
+
+    internal IReadOnlyList<PersistentCall> Calls => _calls;
+
+    internal void Add(PersistentCall call) => _calls.Add(call);
+}
+
+/// <summary>Kind of argument of a persistent call.</summary>
+enum PersistentListenerMode
+{
+    EventDefined,
+    Void,
+    Object,
+    Int,
+    Float,
+    String,
+    Bool,
+}
+
+public enum UnityEventCallState
+{
+    Off = 0,
+    EditorAndRuntime = 1,
+    RuntimeOnly = 2,
+}

@@ -17,3 +17,5 @@ public class UnityEvent : UnityEventBase
         _listeners?.Invoke();
     }
 }
+
+public delegate void UnityAction();

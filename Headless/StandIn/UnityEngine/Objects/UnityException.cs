@@ -5,3 +5,9 @@ sealed class UnityException : SystemException
 {
     internal UnityException(string message) : base(message) { }
 }
+
+/// <summary>Thrown when a member of a destroyed object is accessed.</summary>
+sealed class MissingReferenceException : SystemException
+{
+    internal MissingReferenceException(string message) : base(message) { }
+}

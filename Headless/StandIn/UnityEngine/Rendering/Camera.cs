@@ -28,3 +28,9 @@ public sealed class Camera : Behaviour
 
     internal override void StopRunning() => World.Cameras.Remove(this);
 }
+
+public enum CameraClearFlags
+{
+    Skybox = 1,
+    SolidColor = 2,
+}

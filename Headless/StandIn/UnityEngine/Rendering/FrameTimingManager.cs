@@ -12,3 +12,9 @@ public static class FrameTimingManager
         return (uint)count;
     }
 }
+
+/// <summary>Timings of one frame in ms.</summary>
+public struct FrameTiming
+{
+    public double gpuFrameTime;
+}

@@ -8,3 +8,7 @@ public sealed class GraphicsSettings : Object
 
     public static RenderPipelineAsset currentRenderPipeline => World.Current.Gpu.RenderPipeline;
 }
+
+public abstract class RenderPipelineAsset : ScriptableObject
+{
+}

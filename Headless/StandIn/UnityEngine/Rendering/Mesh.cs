@@ -1,4 +1,5 @@
 using UnityEngine.Rendering;
+using UnityEngine.Serialization;
 
 namespace UnityEngine;
 
@@ -112,4 +113,13 @@ public sealed class Mesh : Object
             }
         }
     }
+}
+
+public sealed class MeshFilter : Component
+{
+    [field: SerializeField, SerializedName("m_Mesh")] public Mesh sharedMesh { get; set; }
+}
+
+public class MeshRenderer : Renderer
+{
 }

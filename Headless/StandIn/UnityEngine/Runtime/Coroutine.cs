@@ -39,3 +39,11 @@ public sealed class Coroutine : YieldInstruction
         return !endOfFrame && frame > _frame && (_waitsFor is not Coroutine other || other.Ended);
     }
 }
+
+public class YieldInstruction
+{
+}
+
+public sealed class WaitForEndOfFrame : YieldInstruction
+{
+}

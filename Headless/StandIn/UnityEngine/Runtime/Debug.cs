@@ -16,3 +16,12 @@ public class Debug
     static void Write(LogType type, object message, Object context) =>
         World.Current.Log(type, message?.ToString() ?? "Null", null, context);
 }
+
+public enum LogType
+{
+    Error = 0,
+    Assert = 1,
+    Warning = 2,
+    Log = 3,
+    Exception = 4,
+}

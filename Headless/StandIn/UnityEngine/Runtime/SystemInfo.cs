@@ -13,3 +13,10 @@ public sealed class SystemInfo
     public static RenderingThreadingMode renderingThreadingMode => World.Current.Gpu.Threading;
     public static bool supportsAsyncGPUReadback => World.Current.Gpu.ReadbackFrames >= 0;
 }
+
+public enum RuntimePlatform
+{
+    WindowsPlayer = 2,
+    Android = 11,
+    WSAPlayerARM = 20,
+}

@@ -7,3 +7,13 @@ public interface ISubsystem
     void Stop();
     void Destroy();
 }
+
+public interface ISubsystemDescriptor
+{
+    string id { get; }
+    ISubsystem Create();
+}
+
+interface ISubsystemDescriptorImpl
+{
+}

@@ -10,3 +10,7 @@ public class IntegratedSubsystem : ISubsystem
 
     public void Destroy() => running = false;
 }
+
+public class IntegratedSubsystem<TSubsystemDescriptor> : IntegratedSubsystem where TSubsystemDescriptor : ISubsystemDescriptor
+{
+}

@@ -6,3 +6,7 @@ public abstract class IntegratedSubsystemDescriptor : ISubsystemDescriptorImpl, 
 
     ISubsystem ISubsystemDescriptor.Create() => null;
 }
+
+public class IntegratedSubsystemDescriptor<TSubsystem> : IntegratedSubsystemDescriptor where TSubsystem : IntegratedSubsystem
+{
+}

@@ -1,5 +1,6 @@
 using System.Runtime.CompilerServices;
 using Nowpose.UnityPlayer.Assets.Prefabs;
+using Nowpose.UnityPlayer.Assets.Yaml;
 using UnityEngine;
 
 namespace Nowpose.UnityPlayer.Assets.Loading;
@@ -16,3 +17,8 @@ static class PrefabOrigin
 
     public static void Set(Object target, PrefabLink link) => Links.Add(target, link);
 }
+
+/// <summary>The objects and settings of a scene file. The objects have not received Awake and are not in a scene yet.</summary>
+/// <param name="Roots">Root objects of the scene in order.</param>
+/// <param name="Settings">Settings of the whole scene.</param>
+sealed record LoadedScene(IReadOnlyList<GameObject> Roots, IReadOnlyList<UnityDocument> Settings);

@@ -1,7 +1,0 @@
-namespace UnityEngine.SubsystemsImplementation;
-
-public class SubsystemDescriptorWithProvider<TSubsystem, TProvider> : SubsystemDescriptorWithProvider
-    where TSubsystem : SubsystemWithProvider, new()
-    where TProvider : SubsystemProvider<TSubsystem>
-{
-}

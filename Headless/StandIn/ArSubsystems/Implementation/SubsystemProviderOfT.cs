@@ -1,5 +1,0 @@
-namespace UnityEngine.SubsystemsImplementation;
-
-public abstract class SubsystemProvider<TSubsystem> : SubsystemProvider where TSubsystem : SubsystemWithProvider, new()
-{
-}

@@ -1,8 +1,0 @@
-namespace UnityEngine.XR.ARSubsystems;
-
-public enum TrackingState
-{
-    None,
-    Limited,
-    Tracking,
-}

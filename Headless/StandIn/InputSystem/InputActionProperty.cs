@@ -1,9 +1,0 @@
-namespace UnityEngine.InputSystem;
-
-[Serializable]
-public struct InputActionProperty
-{
-    public InputActionProperty(InputAction action) => this.action = action;
-
-    public InputAction action { get; }
-}

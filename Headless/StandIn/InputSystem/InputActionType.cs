@@ -1,8 +1,0 @@
-namespace UnityEngine.InputSystem;
-
-public enum InputActionType
-{
-    Value,
-    Button,
-    PassThrough,
-}

@@ -1,7 +1,0 @@
-namespace Microsoft.MixedReality.OpenXR;
-
-public enum FrameTime
-{
-    OnUpdate = 0,
-    OnBeforeRender,
-}

@@ -1,5 +1,0 @@
-namespace UnityEngine.XR.Interaction.Toolkit;
-
-public class SelectEnterEventArgs
-{
-}

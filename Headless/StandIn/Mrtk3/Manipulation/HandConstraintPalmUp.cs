@@ -1,5 +1,0 @@
-namespace MixedReality.Toolkit.SpatialManipulation;
-
-public class HandConstraintPalmUp : HandConstraint
-{
-}

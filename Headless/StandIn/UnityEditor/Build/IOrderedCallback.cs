@@ -1,6 +1,0 @@
-namespace UnityEditor.Build;
-
-public interface IOrderedCallback
-{
-    int callbackOrder { get; }
-}

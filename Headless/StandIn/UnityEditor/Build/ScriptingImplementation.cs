@@ -1,7 +1,0 @@
-namespace UnityEditor;
-
-public enum ScriptingImplementation
-{
-    Mono2x = 0,
-    IL2CPP = 1,
-}

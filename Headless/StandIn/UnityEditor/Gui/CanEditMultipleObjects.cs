@@ -1,5 +1,0 @@
-namespace UnityEditor;
-
-public sealed class CanEditMultipleObjects : Attribute
-{
-}

@@ -1,6 +1,0 @@
-namespace UnityEditor.PackageManager.Requests;
-
-public sealed class AddRequest : Request<PackageInfo>
-{
-    internal AddRequest() { }
-}

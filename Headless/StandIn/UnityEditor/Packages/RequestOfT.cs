@@ -1,6 +1,0 @@
-namespace UnityEditor.PackageManager.Requests;
-
-public abstract class Request<T> : Request
-{
-    internal Request() { }
-}

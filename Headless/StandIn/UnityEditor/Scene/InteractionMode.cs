@@ -1,7 +1,0 @@
-namespace UnityEditor;
-
-public enum InteractionMode
-{
-    AutomatedAction = 0,
-    UserAction = 1,
-}

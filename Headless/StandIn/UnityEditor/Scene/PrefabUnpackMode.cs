@@ -1,7 +1,0 @@
-namespace UnityEditor;
-
-public enum PrefabUnpackMode
-{
-    OutermostRoot = 0,
-    Completely = 1,
-}

@@ -1,8 +1,0 @@
-namespace UnityEngine;
-
-public sealed class AddComponentMenu : Attribute
-{
-    public AddComponentMenu(string menuName) => componentMenu = menuName;
-
-    public string componentMenu { get; }
-}

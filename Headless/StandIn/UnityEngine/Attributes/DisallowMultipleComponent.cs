@@ -1,6 +1,0 @@
-namespace UnityEngine;
-
-[AttributeUsage(AttributeTargets.Class, Inherited = false)]
-public sealed class DisallowMultipleComponent : Attribute
-{
-}

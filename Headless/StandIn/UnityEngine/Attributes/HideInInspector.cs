@@ -1,5 +1,0 @@
-namespace UnityEngine;
-
-public sealed class HideInInspector : Attribute
-{
-}

@@ -1,3 +1,0 @@
-namespace UnityEngine.Events;
-
-public delegate void UnityAction();

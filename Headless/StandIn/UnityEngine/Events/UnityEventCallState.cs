@@ -1,8 +1,0 @@
-namespace UnityEngine.Events;
-
-public enum UnityEventCallState
-{
-    Off = 0,
-    EditorAndRuntime = 1,
-    RuntimeOnly = 2,
-}

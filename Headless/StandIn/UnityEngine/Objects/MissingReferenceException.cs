@@ -1,7 +1,0 @@
-namespace UnityEngine;
-
-/// <summary>Thrown when a member of a destroyed object is accessed.</summary>
-sealed class MissingReferenceException : SystemException
-{
-    internal MissingReferenceException(string message) : base(message) { }
-}

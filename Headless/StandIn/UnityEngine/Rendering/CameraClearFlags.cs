@@ -1,7 +1,0 @@
-namespace UnityEngine;
-
-public enum CameraClearFlags
-{
-    Skybox = 1,
-    SolidColor = 2,
-}

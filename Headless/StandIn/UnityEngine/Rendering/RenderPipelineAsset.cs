@@ -1,5 +1,0 @@
-namespace UnityEngine.Rendering;
-
-public abstract class RenderPipelineAsset : ScriptableObject
-{
-}

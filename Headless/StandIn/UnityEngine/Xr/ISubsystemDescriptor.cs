@@ -1,7 +1,0 @@
-namespace UnityEngine;
-
-public interface ISubsystemDescriptor
-{
-    string id { get; }
-    ISubsystem Create();
-}

@@ -1,5 +1,0 @@
-namespace UnityEngine;
-
-interface ISubsystemDescriptorImpl
-{
-}

@@ -1,5 +1,0 @@
-namespace UnityEngine;
-
-public class IntegratedSubsystemDescriptor<TSubsystem> : IntegratedSubsystemDescriptor where TSubsystem : IntegratedSubsystem
-{
-}

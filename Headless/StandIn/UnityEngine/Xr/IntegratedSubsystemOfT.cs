@@ -1,5 +1,0 @@
-namespace UnityEngine;
-
-public class IntegratedSubsystem<TSubsystemDescriptor> : IntegratedSubsystem where TSubsystemDescriptor : ISubsystemDescriptor
-{
-}

@@ -1,5 +1,0 @@
-namespace UnityEngine.XR;
-
-public class XRDisplaySubsystemDescriptor : IntegratedSubsystemDescriptor<XRDisplaySubsystem>
-{
-}
