@@ -1,7 +1,6 @@
 using System.ComponentModel;
 using System.CommandLine;
 using System.Diagnostics;
-using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 
 namespace Nowpose.Cli;

@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using Nowpose.Cli.Messages;
 using Nowpose.Session;
 using Spectre.Console;
 

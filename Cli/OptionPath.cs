@@ -1,4 +1,3 @@
-using Nowpose.Cli.Messages;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;

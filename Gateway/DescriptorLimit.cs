@@ -1,6 +1,5 @@
 using System.Net.Sockets;
 using System.Runtime.InteropServices;
-using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway;
 

@@ -2,11 +2,9 @@ using System.Net;
 using System.Security.Cryptography;
 using System.Security.Cryptography.X509Certificates;
 using Nowpose.Gateway.Clock;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Pairing;
 using Nowpose.Gateway.Security;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway;
 

@@ -19,7 +19,6 @@ using Nowpose.Gateway.Status;
 using Nowpose.Gateway.Status.Events;
 using Nowpose.Gateway.Sync;
 using Nowpose.Pairing;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway;
 

@@ -5,7 +5,6 @@ using Microsoft.AspNetCore.Server.Kestrel.Transport.Sockets;
 using Microsoft.Extensions.Options;
 using Nowpose.Gateway.Rosbridge;
 using Nowpose.Gateway.Security;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway;
 

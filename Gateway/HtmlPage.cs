@@ -1,6 +1,5 @@
 using System.Text;
 using System.Text.RegularExpressions;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway;

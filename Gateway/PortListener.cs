@@ -1,6 +1,5 @@
 using System.Net;
 using System.Net.Sockets;
-using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway;
 

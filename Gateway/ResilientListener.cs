@@ -1,7 +1,6 @@
 using System.Net;
 using Microsoft.AspNetCore.Connections;
 using Microsoft.AspNetCore.Connections.Features;
-using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway;
 

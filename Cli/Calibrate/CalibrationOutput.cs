@@ -1,6 +1,5 @@
 using System.Globalization;
 using Nowpose.Cli.Calibrate.Range;
-using Nowpose.Cli.Messages;
 using Nowpose.Gateway;
 using Nowpose.Latency;
 using Nowpose.Web;

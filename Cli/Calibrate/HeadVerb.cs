@@ -1,7 +1,6 @@
 using System.CommandLine;
 using Nowpose.Cli.Calibrate.Head;
 using Nowpose.Cli.Calibrate.Vlc;
-using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
 using Nowpose.Latency.Profile;

@@ -1,6 +1,5 @@
 using System.Globalization;
 using Nowpose.Cli.Figures.Model;
-using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Calibration;
 

@@ -1,6 +1,5 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
-using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency.Profile;
 

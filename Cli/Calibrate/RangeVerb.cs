@@ -1,6 +1,5 @@
 using System.CommandLine;
 using Nowpose.Cli.Calibrate.Range;
-using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;
 

@@ -1,6 +1,5 @@
 using System.CommandLine;
 using Nowpose.Cli.Calibrate.Simulate;
-using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 
 namespace Nowpose.Cli.Calibrate;

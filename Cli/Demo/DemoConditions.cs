@@ -1,5 +1,4 @@
 using System.Text.Json.Serialization;
-using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Demo;
 

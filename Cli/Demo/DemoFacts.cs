@@ -1,5 +1,4 @@
 using System.Globalization;
-using Nowpose.Cli.Messages;
 using static Nowpose.Cli.Messages.RunTexts;
 
 namespace Nowpose.Cli.Demo;

@@ -2,7 +2,6 @@ using System.Text.Json;
 using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Demo.Paper;
 using Nowpose.Cli.Figures.Model;
-using Nowpose.Cli.Messages;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;

@@ -1,6 +1,5 @@
 using Nowpose.Cli.Figures;
 using Nowpose.Cli.Figures.Model;
-using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 
 namespace Nowpose.Cli.Demo;

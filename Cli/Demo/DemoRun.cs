@@ -1,4 +1,3 @@
-using Nowpose.Cli.Messages;
 using Nowpose.Kinematics;
 using Nowpose.Session;
 using Nowpose.Sync;

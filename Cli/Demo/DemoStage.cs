@@ -1,6 +1,5 @@
 using System.Net;
 using Nowpose.Cli.Demo.Virtual;
-using Nowpose.Cli.Messages;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Plants;

@@ -1,4 +1,3 @@
-using Nowpose.Cli.Messages;
 using Spectre.Console;
 
 namespace Nowpose.Cli.Demo;

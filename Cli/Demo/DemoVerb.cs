@@ -1,6 +1,5 @@
 using System.CommandLine;
 using Nowpose.Cli.Demo.Paper;
-using Nowpose.Cli.Messages;
 using Nowpose.Cli.Replay;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Gateway.Options;

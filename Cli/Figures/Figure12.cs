@@ -1,5 +1,4 @@
 using Nowpose.Cli.Figures.Model;
-using Nowpose.Cli.Messages;
 using Nowpose.Cli.Studies;
 using Nowpose.Motion;
 using static Nowpose.Cli.Figures.Numbers;

@@ -1,6 +1,5 @@
 using System.Globalization;
 using Nowpose.Cli.Figures.Model;
-using Nowpose.Cli.Messages;
 using Nowpose.Cli.Studies;
 
 namespace Nowpose.Cli.Figures;

@@ -1,6 +1,5 @@
 using System.CommandLine;
 using Nowpose.Cli.Figures.Model;
-using Nowpose.Cli.Messages;
 using Nowpose.Cli.Studies;
 using Nowpose.Gateway.Options;
 using Spectre.Console;

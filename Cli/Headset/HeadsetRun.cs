@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Clock;
 using Nowpose.Kinematics;
 using Nowpose.Messages;

@@ -1,5 +1,4 @@
 using System.Globalization;
-using Nowpose.Cli.Messages;
 using Nowpose.Messages;
 using Spectre.Console;
 using static Nowpose.Cli.Messages.RunTexts;

@@ -1,6 +1,5 @@
 using System.CommandLine;
 using System.Net;
-using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
 using Nowpose.Latency;

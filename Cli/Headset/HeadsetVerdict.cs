@@ -1,4 +1,3 @@
-using Nowpose.Cli.Messages;
 using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Session;

@@ -1,5 +1,3 @@
-using Nowpose.Cli.Messages;
-
 namespace Nowpose.Cli.Headset;
 
 /// <summary>Reports when an outage of the pose begins, changes and ends, and collects the outages for the result.</summary>

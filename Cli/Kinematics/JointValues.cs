@@ -1,5 +1,4 @@
 using System.Globalization;
-using Nowpose.Cli.Messages;
 using Nowpose.Kinematics;
 
 namespace Nowpose.Cli.Kinematics;

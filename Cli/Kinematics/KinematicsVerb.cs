@@ -1,5 +1,4 @@
 using System.CommandLine;
-using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
 using Nowpose.Kinematics;

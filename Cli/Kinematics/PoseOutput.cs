@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Text;
-using Nowpose.Cli.Messages;
 using Nowpose.Kinematics;
 
 namespace Nowpose.Cli.Kinematics;

@@ -1,5 +1,4 @@
 using System.CommandLine;
-using Nowpose.Cli.Messages;
 using Nowpose.Cli.Replay;
 using Nowpose.Cli.SessionFiles;
 using Nowpose.Gateway.Options;

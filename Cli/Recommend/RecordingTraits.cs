@@ -1,4 +1,3 @@
-using Nowpose.Cli.Messages;
 using Nowpose.Cli.Replay;
 
 namespace Nowpose.Cli.Recommend;

@@ -1,5 +1,4 @@
 using Nowpose.Anchoring;
-using Nowpose.Cli.Messages;
 using Nowpose.Frames;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Kinematics;

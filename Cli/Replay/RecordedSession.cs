@@ -1,4 +1,3 @@
-using Nowpose.Cli.Messages;
 using Nowpose.Cli.SessionFiles;
 using Nowpose.Kinematics;
 using Nowpose.Session;

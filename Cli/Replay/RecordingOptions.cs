@@ -1,5 +1,4 @@
 using System.CommandLine;
-using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Replay;
 

@@ -1,5 +1,3 @@
-using Nowpose.Cli.Messages;
-
 namespace Nowpose.Cli.Replay;
 
 /// <summary>Collects the errors of all axes over the scored frames of a replay.</summary>

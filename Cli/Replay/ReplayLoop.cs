@@ -1,5 +1,3 @@
-using Nowpose.Cli.Messages;
-
 namespace Nowpose.Cli.Replay;
 
 /// <summary>Runs samples and frames in virtual time: decides which samples have arrived by each frame, and which frames are scored.</summary>

@@ -1,5 +1,4 @@
 using System.Globalization;
-using Nowpose.Cli.Messages;
 using Spectre.Console;
 
 namespace Nowpose.Cli.Replay;

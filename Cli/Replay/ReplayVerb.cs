@@ -1,5 +1,4 @@
 using System.CommandLine;
-using Nowpose.Cli.Messages;
 using Nowpose.Cli.SessionFiles;
 using Nowpose.Gateway;
 using Nowpose.Gateway.Options;

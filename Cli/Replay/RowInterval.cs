@@ -1,4 +1,3 @@
-using Nowpose.Cli.Messages;
 using Nowpose.Gateway.MotionRecordings;
 
 namespace Nowpose.Cli.Replay;

@@ -1,4 +1,3 @@
-using Nowpose.Cli.Messages;
 using Nowpose.Prediction;
 using Nowpose.Session;
 

@@ -1,5 +1,4 @@
 using System.Text.Json;
-using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.SessionFiles;
 

@@ -1,5 +1,4 @@
 using System.Text.Json;
-using Nowpose.Cli.Messages;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Recording;
 

@@ -1,4 +1,3 @@
-using Nowpose.Cli.Messages;
 using Nowpose.Frames;
 using Nowpose.Kinematics;
 using Nowpose.Protocol;

@@ -1,6 +1,5 @@
 using Nowpose.Cli.Figures;
 using Nowpose.Cli.Figures.Clocks;
-using Nowpose.Cli.Messages;
 using Nowpose.Gateway;
 using Nowpose.Sync;
 using Nowpose.Web;

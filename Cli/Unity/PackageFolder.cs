@@ -1,5 +1,4 @@
 using System.Text.Json;
-using Nowpose.Cli.Messages;
 using Nowpose.Editor.Setup;
 
 namespace Nowpose.Cli.Unity;

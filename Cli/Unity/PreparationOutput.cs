@@ -1,5 +1,4 @@
 using System.Text;
-using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Unity;
 

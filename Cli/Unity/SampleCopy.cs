@@ -1,4 +1,3 @@
-using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 
 namespace Nowpose.Cli.Unity;

@@ -1,4 +1,3 @@
-using Nowpose.Cli.Messages;
 using Nowpose.Editor.Setup;
 
 namespace Nowpose.Cli.Unity;

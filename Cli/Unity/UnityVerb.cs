@@ -1,5 +1,4 @@
 using System.CommandLine;
-using Nowpose.Cli.Messages;
 using Nowpose.Editor.Setup;
 using Nowpose.Gateway.Options;
 

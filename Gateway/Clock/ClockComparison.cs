@@ -1,5 +1,3 @@
-using Nowpose.Gateway.Messages;
-
 namespace Nowpose.Gateway.Clock;
 
 /// <summary>Logs the offset and skew of each clock of the control system relative to C1: once, and again when the offset has changed.</summary>

@@ -1,5 +1,4 @@
 using System.Collections.Immutable;
-using Nowpose.Gateway.Messages;
 using Nowpose.Sync;
 
 namespace Nowpose.Gateway.Clock;

@@ -1,6 +1,5 @@
 using System.Globalization;
 using Nowpose.Gateway.Hub;
-using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Clock;
 

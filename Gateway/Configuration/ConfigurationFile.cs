@@ -1,4 +1,3 @@
-using Nowpose.Gateway.Messages;
 using YamlDotNet.Core;
 using YamlDotNet.Core.Events;
 using Nowpose.Gateway.Options;

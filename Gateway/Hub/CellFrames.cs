@@ -1,5 +1,3 @@
-using Nowpose.Gateway.Messages;
-using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Hub;

@@ -1,5 +1,3 @@
-using Nowpose.Protocol;
-
 namespace Nowpose.Gateway.Hub;
 
 /// <summary>Words for the kinds of things that have one source each.</summary>

@@ -1,5 +1,4 @@
 using System.Text;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Hub;
 

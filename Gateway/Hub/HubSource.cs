@@ -1,6 +1,4 @@
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Recording;
-using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Hub;

@@ -1,6 +1,3 @@
-using Nowpose.Gateway.Messages;
-using Nowpose.Protocol;
-
 namespace Nowpose.Gateway.Hub;
 
 /// <summary>The owners of the names on the topics of robots: joints, planned joints and "the robot". Bounded; not thread-safe.</summary>

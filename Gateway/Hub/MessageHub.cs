@@ -1,7 +1,5 @@
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Recording;
 using Nowpose.Gateway.Status;
-using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Hub;

@@ -1,4 +1,3 @@
-using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Hub;

@@ -1,5 +1,3 @@
-using Nowpose.Protocol;
-
 namespace Nowpose.Gateway.Hub;
 
 /// <summary>The reason why the hub refused a message or a part of it.</summary>

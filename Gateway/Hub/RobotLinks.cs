@@ -1,7 +1,6 @@
 using System.Collections.Immutable;
 using Nowpose.Gateway.Recording;
 using Nowpose.Kinematics;
-using Nowpose.Protocol;
 using Nowpose.Session;
 
 namespace Nowpose.Gateway.Hub;

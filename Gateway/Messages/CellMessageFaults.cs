@@ -1,5 +1,3 @@
-using Nowpose.Protocol;
-
 namespace Nowpose.Gateway.Messages;
 
 /// <summary>Descriptions of faults in messages about frames and signals. The name of the frame or signal precedes them.</summary>

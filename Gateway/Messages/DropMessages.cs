@@ -1,5 +1,4 @@
 using Nowpose.Messages;
-using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Messages;

@@ -1,5 +1,3 @@
-using Nowpose.Protocol;
-
 namespace Nowpose.Gateway.Messages;
 
 /// <summary>Remedies for the events on the operations page.</summary>

@@ -1,5 +1,3 @@
-using Nowpose.Protocol;
-
 namespace Nowpose.Gateway.Messages;
 
 /// <summary>Error messages and warnings about the certificate and its file, with remedies.</summary>

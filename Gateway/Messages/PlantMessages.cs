@@ -1,5 +1,3 @@
-using Nowpose.Protocol;
-
 namespace Nowpose.Gateway.Messages;
 
 /// <summary>Error messages about simulated and recorded plants.</summary>

@@ -1,5 +1,3 @@
-using Nowpose.Protocol;
-
 namespace Nowpose.Gateway.Messages;
 
 /// <summary>Responses to requests from rosbridge clients, and log lines about them.</summary>

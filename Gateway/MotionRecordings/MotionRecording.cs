@@ -1,5 +1,3 @@
-using Nowpose.Gateway.Messages;
-
 namespace Nowpose.Gateway.MotionRecordings;
 
 /// <summary>Joint positions over time from a user's file, with linear interpolation between rows.</summary>

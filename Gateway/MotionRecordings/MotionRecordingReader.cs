@@ -1,5 +1,4 @@
 using System.Globalization;
-using Nowpose.Gateway.Messages;
 using Nowpose.Kinematics;
 
 namespace Nowpose.Gateway.MotionRecordings;

@@ -1,7 +1,6 @@
 using System.IO.Compression;
 using System.Text;
 using CsvHelper;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 
 namespace Nowpose.Gateway.MotionRecordings;

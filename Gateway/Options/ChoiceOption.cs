@@ -1,5 +1,4 @@
 using System.CommandLine;
-using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Options;
 

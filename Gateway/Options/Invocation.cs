@@ -1,6 +1,5 @@
 using System.CommandLine;
 using System.CommandLine.Help;
-using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Options;
 

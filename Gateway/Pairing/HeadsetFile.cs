@@ -1,5 +1,4 @@
 using System.Text;
-using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Pairing;
 

@@ -1,8 +1,6 @@
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Network;
 using Nowpose.Pairing;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Pairing;
 

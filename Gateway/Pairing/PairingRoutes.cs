@@ -1,6 +1,5 @@
 using Nowpose.Gateway.Security;
 using Nowpose.Pairing;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Pairing;
 

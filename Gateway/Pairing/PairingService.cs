@@ -1,4 +1,3 @@
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Pairing;
 

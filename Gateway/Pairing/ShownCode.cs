@@ -1,7 +1,6 @@
 using System.Security.Cryptography;
 using Nowpose.Gateway.Security;
 using Nowpose.Pairing;
-using Nowpose.Protocol;
 using Base64Url = System.Buffers.Text.Base64Url;
 
 namespace Nowpose.Gateway.Pairing;

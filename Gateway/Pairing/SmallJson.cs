@@ -1,5 +1,4 @@
 using System.Text.Json;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Pairing;
 

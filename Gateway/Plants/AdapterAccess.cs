@@ -1,5 +1,4 @@
 using System.Net;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Plants;
 

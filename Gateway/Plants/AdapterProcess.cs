@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Plants;
 

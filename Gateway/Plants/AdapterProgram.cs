@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using System.Text.Json;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Recording;
 using Nowpose.Web;

@@ -1,10 +1,8 @@
 using System.Text.Json.Serialization;
 using Nowpose.Gateway.Clock;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Recording;
 using Nowpose.Gateway.Status.Joints;
 using Nowpose.Kinematics;
-using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Plants;

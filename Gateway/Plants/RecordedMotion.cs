@@ -1,4 +1,3 @@
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Kinematics;
 using Nowpose.Motion;

@@ -1,8 +1,6 @@
 using Nowpose.Gateway.Hub;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Kinematics;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Plants;
 

@@ -1,7 +1,6 @@
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
 using Nowpose.Motion;
-using Nowpose.Protocol;
 using Nowpose.Simulation;
 using Nowpose.Simulation.Work;
 

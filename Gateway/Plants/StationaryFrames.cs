@@ -1,6 +1,5 @@
 using Nowpose.Frames;
 using Nowpose.Gateway.Hub;
-using Nowpose.Gateway.Messages;
 using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Plants;

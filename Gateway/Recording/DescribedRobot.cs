@@ -1,5 +1,4 @@
 using Nowpose.Kinematics;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Recording;
 

@@ -1,5 +1,3 @@
-using Nowpose.Gateway.Messages;
-
 namespace Nowpose.Gateway.Recording;
 
 /// <summary>A buffered file of lines that counts the lines on the disk exactly, even if the disk becomes full within a line.</summary>

@@ -1,5 +1,4 @@
 using System.Collections.Immutable;
-using Nowpose.Gateway.Messages;
 using Nowpose.Recording;
 
 namespace Nowpose.Gateway.Recording;

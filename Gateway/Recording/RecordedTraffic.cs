@@ -1,7 +1,6 @@
 using System.Diagnostics;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
-using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 using Nowpose.Recording;
 using Nowpose.Session;

@@ -2,9 +2,7 @@ using System.Collections.Immutable;
 using System.Diagnostics;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status;
-using Nowpose.Protocol;
 using Nowpose.Recording;
 
 namespace Nowpose.Gateway.Recording;

@@ -1,5 +1,4 @@
 using System.Text.RegularExpressions;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status;
 
 namespace Nowpose.Gateway.Recording;

@@ -1,4 +1,3 @@
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status.Events;
 
 namespace Nowpose.Gateway.Recording;

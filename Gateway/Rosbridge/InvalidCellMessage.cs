@@ -1,8 +1,6 @@
 using Newtonsoft.Json.Linq;
 using Nowpose.Frames;
 using Nowpose.Gateway.Hub;
-using Nowpose.Gateway.Messages;
-using Nowpose.Protocol;
 using static Nowpose.Frames.InvalidTransform;
 
 namespace Nowpose.Gateway.Rosbridge;

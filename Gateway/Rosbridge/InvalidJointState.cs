@@ -1,7 +1,6 @@
 using System.Text;
 using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
-using Nowpose.Protocol;
 using static Nowpose.Frames.InvalidTransform;
 
 namespace Nowpose.Gateway.Rosbridge;

@@ -1,6 +1,5 @@
 using System.Threading.Channels;
 using Nowpose.Gateway.Hub;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 

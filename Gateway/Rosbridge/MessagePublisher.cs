@@ -1,8 +1,6 @@
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status;
-using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Rosbridge;

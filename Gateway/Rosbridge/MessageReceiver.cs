@@ -1,7 +1,6 @@
 using System.Net.WebSockets;
 using System.Text;
 using Nowpose.Gateway.Sync;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 

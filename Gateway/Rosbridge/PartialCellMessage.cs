@@ -1,7 +1,5 @@
 using System.Text;
 using Nowpose.Gateway.Hub;
-using Nowpose.Gateway.Messages;
-using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Rosbridge;

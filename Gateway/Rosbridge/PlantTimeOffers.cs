@@ -1,8 +1,6 @@
 using System.Text;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
-using Nowpose.Gateway.Messages;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 

@@ -1,5 +1,3 @@
-using Nowpose.Protocol;
-
 namespace Nowpose.Gateway.Rosbridge;
 
 /// <summary>The topics of the gateway and their types. Each topic of a robot exists in every namespace.</summary>

@@ -1,5 +1,3 @@
-using Nowpose.Protocol;
-
 namespace Nowpose.Gateway.Rosbridge;
 
 /// <summary>The result of receiving from a WebSocket.</summary>

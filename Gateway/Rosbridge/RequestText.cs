@@ -1,6 +1,3 @@
-using Nowpose.Gateway.Messages;
-using Nowpose.Protocol;
-
 namespace Nowpose.Gateway.Rosbridge;
 
 /// <summary>Describes a client's request in replies.</summary>

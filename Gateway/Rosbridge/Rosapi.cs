@@ -2,7 +2,6 @@ using System.Text.Json;
 using System.Text.Json.Nodes;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Security;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 

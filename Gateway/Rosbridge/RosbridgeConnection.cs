@@ -1,6 +1,5 @@
 using System.Net.WebSockets;
 using System.Threading.Channels;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 

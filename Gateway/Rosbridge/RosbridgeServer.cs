@@ -2,10 +2,8 @@ using Microsoft.AspNetCore.Http.Features;
 using Microsoft.AspNetCore.Server.Kestrel.Core.Features;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 using Nowpose.Gateway.Sync;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 

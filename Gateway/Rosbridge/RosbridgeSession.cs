@@ -1,9 +1,7 @@
 using System.Text;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
-using Nowpose.Protocol;
 using static Nowpose.Gateway.Rosbridge.RequestText;
 
 namespace Nowpose.Gateway.Rosbridge;

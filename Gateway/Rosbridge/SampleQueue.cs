@@ -1,6 +1,5 @@
 using System.Threading.Channels;
 using Nowpose.Gateway.Hub;
-using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Rosbridge;

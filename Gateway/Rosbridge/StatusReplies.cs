@@ -1,7 +1,5 @@
 using Nowpose.Gateway.Hub;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
-using Nowpose.Protocol;
 using static Nowpose.Gateway.Rosbridge.RequestText;
 
 namespace Nowpose.Gateway.Rosbridge;

@@ -1,7 +1,6 @@
 using System.Threading.Channels;
 using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Status;
-using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Rosbridge;

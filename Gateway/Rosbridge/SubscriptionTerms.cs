@@ -1,5 +1,3 @@
-using Nowpose.Protocol;
-
 namespace Nowpose.Gateway.Rosbridge;
 
 /// <summary>The options of a subscription.</summary>

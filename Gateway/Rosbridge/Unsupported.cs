@@ -1,6 +1,4 @@
 using System.Text;
-using Nowpose.Gateway.Messages;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Rosbridge;
 

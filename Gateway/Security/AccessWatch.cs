@@ -1,5 +1,3 @@
-using Nowpose.Gateway.Messages;
-
 namespace Nowpose.Gateway.Security;
 
 /// <summary>Checks the tokens of all connections periodically, and ends a connection whose token is no longer valid. Thread-safe.</summary>

@@ -1,6 +1,3 @@
-using Nowpose.Gateway.Messages;
-using Nowpose.Protocol;
-
 namespace Nowpose.Gateway.Security;
 
 /// <summary>The gateway's certificate, which follows changes of its file, so that new connections use a renewed certificate. Thread-safe.</summary>

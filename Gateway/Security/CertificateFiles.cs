@@ -1,7 +1,6 @@
 using System.Net;
 using System.Security.Cryptography;
 using System.Security.Cryptography.X509Certificates;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 
 namespace Nowpose.Gateway.Security;

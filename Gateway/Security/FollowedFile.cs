@@ -1,5 +1,3 @@
-using Nowpose.Gateway.Messages;
-
 namespace Nowpose.Gateway.Security;
 
 /// <summary>The content of a file. After a change of the file, the next access reads it again. Thread-safe.</summary>

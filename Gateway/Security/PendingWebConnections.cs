@@ -1,6 +1,5 @@
 using Microsoft.AspNetCore.Connections;
 using Microsoft.AspNetCore.Connections.Features;
-using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Security;
 

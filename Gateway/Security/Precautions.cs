@@ -1,5 +1,3 @@
-using Nowpose.Gateway.Messages;
-
 namespace Nowpose.Gateway.Security;
 
 /// <summary>Security warnings for the operator of a gateway.</summary>

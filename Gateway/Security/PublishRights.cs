@@ -1,6 +1,5 @@
 using Nowpose.Gateway.Rosbridge;
 using Nowpose.Gateway.Status;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Security;
 

@@ -1,8 +1,6 @@
 using System.Security.Cryptography;
 using System.Text;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Security;
 

@@ -1,5 +1,4 @@
 using System.Globalization;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status;
 

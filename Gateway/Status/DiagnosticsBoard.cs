@@ -1,5 +1,4 @@
 using Nowpose.Gateway.Status.Joints;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status;
 

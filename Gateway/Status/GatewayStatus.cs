@@ -2,13 +2,11 @@ using System.Diagnostics;
 using System.Globalization;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Recording;
 using Nowpose.Gateway.Status.Cell;
 using Nowpose.Gateway.Status.Events;
 using Nowpose.Gateway.Status.Joints;
-using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Status;

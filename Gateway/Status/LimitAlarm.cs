@@ -2,7 +2,6 @@ using Nowpose.Gateway.Hub;
 using Nowpose.Gateway.Recording;
 using Nowpose.Kinematics;
 using Nowpose.Messages;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status;
 

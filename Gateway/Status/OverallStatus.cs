@@ -1,9 +1,7 @@
 using System.Globalization;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status.Cell;
 using Nowpose.Gateway.Status.Events;
 using Nowpose.Gateway.Status.Joints;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status;
 

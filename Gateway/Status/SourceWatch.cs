@@ -1,5 +1,3 @@
-using Nowpose.Protocol;
-
 namespace Nowpose.Gateway.Status;
 
 /// <summary>Measures the sample rate of each source and the ages of its samples. Thread-safe; bounded.</summary>

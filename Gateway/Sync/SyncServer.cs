@@ -1,7 +1,6 @@
 using System.Net;
 using System.Net.Sockets;
 using Nowpose.Gateway.Clock;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway.Sync;

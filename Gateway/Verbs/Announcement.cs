@@ -1,6 +1,5 @@
 using System.Globalization;
 using Nowpose.Gateway.Clock;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Plants;
 
 namespace Nowpose.Gateway.Verbs;

@@ -2,10 +2,8 @@ using System.CommandLine;
 using System.Globalization;
 using System.Net;
 using Nowpose.Gateway.Codes;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Pairing;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Verbs;
 

@@ -3,11 +3,9 @@ using System.Globalization;
 using System.Net;
 using System.Text.Json;
 using Nowpose.Gateway.Codes;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Network;
 using Nowpose.Pairing;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Verbs;
 

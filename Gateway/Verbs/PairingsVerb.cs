@@ -1,6 +1,5 @@
 using System.CommandLine;
 using System.Globalization;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Pairing;
 

@@ -1,8 +1,6 @@
 using System.CommandLine;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Security;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Verbs;
 

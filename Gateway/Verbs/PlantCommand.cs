@@ -1,7 +1,6 @@
 using System.CommandLine;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Configuration;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Plants;
 using Nowpose.Kinematics;

@@ -3,13 +3,11 @@ using System.CommandLine.Parsing;
 using System.Globalization;
 using System.Net;
 using System.Security.Cryptography.X509Certificates;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Options;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Configuration;
 using Nowpose.Gateway.Pairing;
 using Nowpose.Gateway.Security;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Verbs;
 

@@ -1,5 +1,4 @@
 using MathNet.Numerics.LinearRegression;
-using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Calibrate.Head;
 

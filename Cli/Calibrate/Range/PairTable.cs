@@ -1,5 +1,4 @@
 using System.Globalization;
-using Nowpose.Cli.Messages;
 using Nowpose.Gateway.MotionRecordings;
 using Nowpose.Latency;
 

@@ -1,5 +1,4 @@
 using MathNet.Numerics.Statistics;
-using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Range;

@@ -1,5 +1,3 @@
-using Nowpose.Cli.Messages;
-
 namespace Nowpose.Cli.Calibrate.Range;
 
 /// <summary>Creates the page sections with Figs 10 and 11 of the paper for a set of pictures.</summary>

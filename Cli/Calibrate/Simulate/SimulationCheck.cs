@@ -1,6 +1,5 @@
 using System.Globalization;
 using Nowpose.Cli.Calibrate.Vlc;
-using Nowpose.Cli.Messages;
 using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Simulate;

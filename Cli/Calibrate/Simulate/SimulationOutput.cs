@@ -1,4 +1,3 @@
-using Nowpose.Cli.Messages;
 using Nowpose.Gateway;
 using Nowpose.Latency;
 using Nowpose.Latency.Sweep;

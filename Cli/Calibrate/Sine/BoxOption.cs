@@ -1,6 +1,5 @@
 using System.CommandLine;
 using System.Globalization;
-using Nowpose.Cli.Messages;
 using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Sine;

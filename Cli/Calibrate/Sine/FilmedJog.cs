@@ -1,6 +1,5 @@
 using Nowpose.Cli.Calibrate.Head;
 using Nowpose.Cli.Calibrate.Vlc;
-using Nowpose.Cli.Messages;
 using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Sine;

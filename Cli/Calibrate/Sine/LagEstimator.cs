@@ -1,5 +1,3 @@
-using Nowpose.Cli.Messages;
-
 namespace Nowpose.Cli.Calibrate.Sine;
 
 /// <summary>Estimates the lag of one signal behind another by cross-correlation, more precisely than their sampling interval.</summary>

@@ -1,5 +1,4 @@
 using MathNet.Numerics.Interpolation;
-using Nowpose.Cli.Messages;
 using Nowpose.Cli.Replay;
 using Nowpose.Gateway.MotionRecordings;
 

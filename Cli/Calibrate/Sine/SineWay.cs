@@ -1,5 +1,3 @@
-using Nowpose.Cli.Messages;
-
 namespace Nowpose.Cli.Calibrate.Sine;
 
 /// <summary>Determines how much of the measured lag is L_visu.</summary>

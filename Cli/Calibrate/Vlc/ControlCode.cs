@@ -1,4 +1,3 @@
-using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 
 namespace Nowpose.Cli.Calibrate.Vlc;

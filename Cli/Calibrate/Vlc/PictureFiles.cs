@@ -1,5 +1,3 @@
-using Nowpose.Cli.Messages;
-
 namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>Lists the pictures that the arguments name: files, and the files of folders in the order of their names.</summary>

@@ -1,4 +1,3 @@
-using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Vision;
 

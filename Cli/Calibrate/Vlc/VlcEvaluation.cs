@@ -1,6 +1,5 @@
 using System.Globalization;
 using Nowpose.Cli.Calibrate.Range;
-using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Profile;

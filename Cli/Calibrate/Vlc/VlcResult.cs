@@ -1,5 +1,3 @@
-using Nowpose.Cli.Messages;
-
 namespace Nowpose.Cli.Calibrate.Vlc;
 
 /// <summary>The evaluation of all pictures, in their original order.</summary>

@@ -1,4 +1,3 @@
-using Nowpose.Cli.Messages;
 using Nowpose.Vision;
 
 namespace Nowpose.Cli.Calibrate.Vlc;

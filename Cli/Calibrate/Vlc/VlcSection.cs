@@ -1,5 +1,4 @@
 using Nowpose.Cli.Figures.Model;
-using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Calibrate.Vlc;
 

@@ -1,7 +1,6 @@
 using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Calibrate.Simulate;
 using Nowpose.Cli.Calibrate.Vlc;
-using Nowpose.Cli.Messages;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Latency.Sweep;

@@ -2,7 +2,6 @@ using MathNet.Numerics.Distributions;
 using MathNet.Numerics.Statistics;
 using Nowpose.Cli.Figures.Clocks;
 using Nowpose.Cli.Figures.Model;
-using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Demo.Paper;
 

@@ -2,7 +2,6 @@ using Nowpose.Cli.Figures;
 using Nowpose.Cli.Figures.Clocks;
 using Nowpose.Cli.Figures.Model;
 using Nowpose.Cli.Figures.Swing;
-using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Demo.Paper;
 

@@ -1,6 +1,5 @@
 using Nowpose.Cli.Figures.Clocks;
 using Nowpose.Cli.Figures.Swing;
-using Nowpose.Cli.Messages;
 using Nowpose.Cli.Studies;
 
 namespace Nowpose.Cli.Demo.Paper;

@@ -1,6 +1,5 @@
 using Nowpose.Cli.Calibrate.Simulate;
 using Nowpose.Cli.Figures.Swing;
-using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Plants;
 using Nowpose.Simulation.Work;
 using Nowpose.Sync;

@@ -1,6 +1,5 @@
 using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Figures.Swing;
-using Nowpose.Cli.Messages;
 using Nowpose.Gateway.Options;
 
 namespace Nowpose.Cli.Demo.Paper;

@@ -1,5 +1,3 @@
-using Nowpose.Cli.Messages;
-
 namespace Nowpose.Cli.Figures.Clocks;
 
 /// <summary>Computes the fitting errors ε_i of Eq. (6) after the clock has settled. In the paper, |ε_i| is below 1 ms.</summary>

@@ -1,7 +1,6 @@
 using Nowpose.Cli.Calibrate;
 using Nowpose.Cli.Calibrate.Range;
 using Nowpose.Cli.Figures.Model;
-using Nowpose.Cli.Messages;
 using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Display;

@@ -1,5 +1,4 @@
 using Nowpose.Cli.Calibrate.Simulate;
-using Nowpose.Cli.Messages;
 using Nowpose.Simulation;
 
 namespace Nowpose.Cli.Figures.Display;

@@ -1,6 +1,5 @@
 using Nowpose.Cli.Figures.Clocks;
 using Nowpose.Cli.Figures.Model;
-using Nowpose.Cli.Messages;
 using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Field;

@@ -1,5 +1,3 @@
-using Nowpose.Cli.Messages;
-
 namespace Nowpose.Cli.Figures.Model;
 
 /// <summary>One condition of a claim, and whether the measured numbers meet it.</summary>

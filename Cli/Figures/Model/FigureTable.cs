@@ -1,5 +1,4 @@
 using System.Globalization;
-using Nowpose.Cli.Messages;
 
 namespace Nowpose.Cli.Figures.Model;
 

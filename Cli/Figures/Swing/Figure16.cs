@@ -1,5 +1,4 @@
 using Nowpose.Cli.Figures.Model;
-using Nowpose.Cli.Messages;
 using static Nowpose.Cli.Figures.Numbers;
 
 namespace Nowpose.Cli.Figures.Swing;

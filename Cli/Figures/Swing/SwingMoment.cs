@@ -1,4 +1,3 @@
-using Nowpose.Cli.Messages;
 using Nowpose.Cli.Studies;
 
 namespace Nowpose.Cli.Figures.Swing;

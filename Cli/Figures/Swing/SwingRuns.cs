@@ -2,7 +2,6 @@ using Nowpose.Cli.Demo;
 using Nowpose.Cli.Demo.Paper;
 using Nowpose.Cli.Demo.Virtual;
 using Nowpose.Cli.Figures.Model;
-using Nowpose.Cli.Messages;
 using Nowpose.Cli.Studies;
 using Nowpose.Gateway.Options;
 using Nowpose.Latency;

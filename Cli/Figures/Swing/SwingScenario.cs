@@ -1,5 +1,3 @@
-using Nowpose.Cli.Messages;
-
 namespace Nowpose.Cli.Figures.Swing;
 
 /// <summary>Defines whether the headset has received other motion before the swing.</summary>

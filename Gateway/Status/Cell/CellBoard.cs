@@ -1,7 +1,5 @@
 using Nowpose.Gateway.Hub;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status.Joints;
-using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 using Nowpose.Signals;
 

@@ -1,5 +1,4 @@
 using Nowpose.Gateway.Hub;
-using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Status.Cell;
 

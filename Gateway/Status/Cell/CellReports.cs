@@ -1,6 +1,4 @@
 using Nowpose.Gateway.Hub;
-using Nowpose.Gateway.Messages;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Cell;
 

@@ -1,5 +1,3 @@
-using Nowpose.Protocol;
-
 namespace Nowpose.Gateway.Status.Cell;
 
 /// <summary>Names of the states of frames and signals.</summary>

@@ -1,4 +1,3 @@
-using Nowpose.Gateway.Messages;
 using Nowpose.Protocol.Cell;
 
 namespace Nowpose.Gateway.Status.Cell;

@@ -1,8 +1,6 @@
 using System.Globalization;
 using Nowpose.Gateway.Clock;
 using Nowpose.Gateway.Hub;
-using Nowpose.Gateway.Messages;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Cell;
 

@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Net;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Security;
 
 namespace Nowpose.Gateway.Status.Events;

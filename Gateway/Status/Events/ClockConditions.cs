@@ -1,5 +1,4 @@
 using Nowpose.Gateway.Clock;
-using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Status.Events;
 

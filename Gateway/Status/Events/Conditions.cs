@@ -1,12 +1,10 @@
 using System.Collections.Concurrent;
 using Nowpose.Gateway.Clock;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Recording;
 using Nowpose.Gateway.Status.Cell;
 using Nowpose.Gateway.Status.Joints;
 using Nowpose.Kinematics;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Events;
 

@@ -1,5 +1,4 @@
 using System.Globalization;
-using Nowpose.Gateway.Messages;
 
 namespace Nowpose.Gateway.Status.Events;
 

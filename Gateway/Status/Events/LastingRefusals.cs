@@ -1,5 +1,4 @@
 using Nowpose.Gateway.Hub;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Events;
 

@@ -1,5 +1,4 @@
 using Nowpose.Gateway.Clock;
-using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Status.Joints;
 
 namespace Nowpose.Gateway.Status.Events;

@@ -1,7 +1,5 @@
 using Nowpose.Gateway.Hub;
-using Nowpose.Gateway.Messages;
 using Nowpose.Kinematics;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Joints;
 

@@ -1,6 +1,3 @@
-using Nowpose.Gateway.Messages;
-using Nowpose.Protocol;
-
 namespace Nowpose.Gateway.Status.Joints;
 
 /// <summary>One joint of one source. Derives the joint's state from the adapter's report and the received samples.</summary>

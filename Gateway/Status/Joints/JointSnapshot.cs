@@ -1,5 +1,3 @@
-using Nowpose.Protocol;
-
 namespace Nowpose.Gateway.Status.Joints;
 
 /// <summary>The state of one joint of one source at an instant.</summary>

@@ -1,6 +1,4 @@
-using Nowpose.Gateway.Messages;
 using Nowpose.Kinematics;
-using Nowpose.Protocol;
 using Nowpose.Session;
 
 namespace Nowpose.Gateway.Status.Joints;

@@ -1,5 +1,4 @@
 using Nowpose.Gateway.Status.Cell;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Prometheus;
 

@@ -1,5 +1,4 @@
 using System.Text.Json.Nodes;
-using Nowpose.Protocol;
 
 namespace Nowpose.Gateway.Status.Prometheus;
 

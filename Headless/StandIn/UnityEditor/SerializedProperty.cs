@@ -1,5 +1,4 @@
 using System.Collections;
-using UnityEngine;
 
 namespace UnityEditor;
 

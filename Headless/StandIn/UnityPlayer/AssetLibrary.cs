@@ -3,7 +3,6 @@ using Nowpose.UnityPlayer.Assets;
 using Nowpose.UnityPlayer.Assets.Files;
 using Nowpose.UnityPlayer.Assets.Loading;
 using Nowpose.UnityPlayer.Assets.Objects;
-using UnityEngine;
 
 namespace Nowpose.UnityPlayer;
 

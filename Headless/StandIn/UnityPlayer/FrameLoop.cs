@@ -1,5 +1,3 @@
-using UnityEngine;
-
 namespace Nowpose.UnityPlayer;
 
 /// <summary>Runs frames and the events between them in Unity's order.</summary>

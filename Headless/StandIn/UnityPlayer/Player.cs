@@ -1,5 +1,4 @@
 using Nowpose.UnityPlayer.Assets;
-using UnityEngine;
 
 namespace Nowpose.UnityPlayer;
 

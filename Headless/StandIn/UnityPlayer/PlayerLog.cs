@@ -1,5 +1,3 @@
-using UnityEngine;
-
 namespace Nowpose.UnityPlayer;
 
 /// <summary>Console of a player. Any thread may add entries. The first 1000 entries do not allocate.</summary>

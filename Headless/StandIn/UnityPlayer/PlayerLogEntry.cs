@@ -1,5 +1,3 @@
-using UnityEngine;
-
 namespace Nowpose.UnityPlayer;
 
 /// <summary>One entry of the console of a player.</summary>

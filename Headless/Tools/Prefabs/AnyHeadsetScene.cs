@@ -1,7 +1,5 @@
 using Nowpose.Prefabs.Mrtk3;
 using Nowpose.Samples;
-using Nowpose.Unity;
-using UnityEngine;
 
 namespace Nowpose.Prefabs;
 

@@ -1,6 +1,3 @@
-using Nowpose.Unity;
-using UnityEngine;
-
 namespace Nowpose.Prefabs;
 
 /// <summary>Adds the actions of a cell to the package's cell prefab in a scene.</summary>

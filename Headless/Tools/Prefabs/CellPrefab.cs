@@ -1,6 +1,3 @@
-using Nowpose.Unity;
-using UnityEngine;
-
 namespace Nowpose.Prefabs;
 
 /// <summary>Creates the prefab with the objects of one robot: session, base anchor, rig with gripper, ghost and panel.</summary>

@@ -1,5 +1,3 @@
-using UnityEngine;
-
 namespace Nowpose.Prefabs;
 
 /// <summary>Creates objects below others.</summary>

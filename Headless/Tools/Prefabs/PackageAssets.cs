@@ -1,5 +1,4 @@
 using Nowpose.UnityPlayer;
-using UnityEngine;
 using Object = UnityEngine.Object;
 
 namespace Nowpose.Prefabs;

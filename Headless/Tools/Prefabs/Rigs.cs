@@ -1,5 +1,3 @@
-using Nowpose.Unity;
-using UnityEngine;
 using Object = UnityEngine.Object;
 
 namespace Nowpose.Prefabs;

@@ -1,6 +1,3 @@
-using Nowpose.Unity;
-using UnityEngine;
-
 namespace Nowpose.Prefabs;
 
 static class RobotAssets

@@ -1,6 +1,4 @@
-using Nowpose.Unity;
 using Nowpose.UnityPlayer.Assets.Objects;
-using UnityEngine;
 
 namespace Nowpose.Prefabs;
 

@@ -1,5 +1,3 @@
-using UnityEngine;
-
 namespace Nowpose.Prefabs;
 
 /// <summary>Removes rounding errors of trigonometric functions, for example 6.123234e-17 in place of 0.</summary>

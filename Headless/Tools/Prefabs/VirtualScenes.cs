@@ -2,8 +2,6 @@ using Nowpose.Kinematics;
 using Nowpose.Motion;
 using Nowpose.Samples;
 using Nowpose.Simulation.Work;
-using Nowpose.Unity;
-using UnityEngine;
 
 namespace Nowpose.Prefabs;
 

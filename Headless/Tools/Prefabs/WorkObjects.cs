@@ -1,7 +1,5 @@
 using Nowpose.Kinematics;
 using Nowpose.Simulation.Work;
-using Nowpose.Unity;
-using UnityEngine;
 
 namespace Nowpose.Prefabs;
 

@@ -1,5 +1,3 @@
-using UnityEngine;
-
 namespace UnityEditor.AssetImporters;
 
 public class AssetImportContext

@@ -1,6 +1,5 @@
 using System.Reflection;
 using UnityEditor.AssetImporters;
-using UnityEngine;
 
 namespace UnityEditor;
 

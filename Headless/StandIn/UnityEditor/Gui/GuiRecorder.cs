@@ -1,5 +1,3 @@
-using UnityEngine;
-
 namespace UnityEditor;
 
 /// <summary>Records the controls that editor code draws, and simulates clicks, for tests.</summary>

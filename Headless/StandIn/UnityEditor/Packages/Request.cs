@@ -1,5 +1,3 @@
-using UnityEngine;
-
 namespace UnityEditor.PackageManager.Requests;
 
 public abstract class Request : ISerializationCallbackReceiver

@@ -1,5 +1,3 @@
-using UnityEngine;
-
 namespace UnityEditor.SceneManagement;
 
 public static class StageUtility

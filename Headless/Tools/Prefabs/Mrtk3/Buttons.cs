@@ -1,7 +1,6 @@
 using MixedReality.Toolkit;
 using MixedReality.Toolkit.UX;
 using TMPro;
-using UnityEngine;
 
 namespace Nowpose.Prefabs.Mrtk3;
 

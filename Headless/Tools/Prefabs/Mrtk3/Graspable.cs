@@ -2,7 +2,6 @@ using MixedReality.Toolkit;
 using MixedReality.Toolkit.SpatialManipulation;
 using Nowpose.UnityPlayer.Assets.Objects;
 using Nowpose.UnityPlayer.Assets.Yaml;
-using UnityEngine;
 
 namespace Nowpose.Prefabs.Mrtk3;
 

@@ -1,9 +1,7 @@
 using MixedReality.Toolkit;
 using MixedReality.Toolkit.UX;
 using Nowpose.Mrtk3;
-using Nowpose.Unity;
 using Nowpose.Unity.Rendering;
-using UnityEngine;
 
 namespace Nowpose.Prefabs.Mrtk3;
 

@@ -1,9 +1,7 @@
 using MixedReality.Toolkit.SpatialManipulation;
 using MixedReality.Toolkit.UX;
 using Nowpose.Mrtk3;
-using Nowpose.Unity;
 using Nowpose.Unity.Status;
-using UnityEngine;
 
 namespace Nowpose.Prefabs.Mrtk3;
 

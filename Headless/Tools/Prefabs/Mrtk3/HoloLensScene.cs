@@ -1,9 +1,7 @@
 using Nowpose.ArFoundation;
 using Nowpose.Mrtk3;
 using Nowpose.OpenXR;
-using Nowpose.Unity;
 using Unity.XR.CoreUtils;
-using UnityEngine;
 using UnityEngine.XR.ARFoundation;
 
 namespace Nowpose.Prefabs.Mrtk3;

@@ -1,6 +1,4 @@
 using Nowpose.Samples;
-using Nowpose.Unity;
-using UnityEngine;
 
 namespace Nowpose.Prefabs.Pictures;
 

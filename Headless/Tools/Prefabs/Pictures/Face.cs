@@ -1,5 +1,3 @@
-using UnityEngine;
-
 namespace Nowpose.Prefabs.Pictures;
 
 /// <summary>A convex polygon in the world. Each corner has a phase that determines the stripes.</summary>

@@ -1,5 +1,3 @@
-using UnityEngine;
-
 namespace Nowpose.Prefabs.Pictures;
 
 /// <summary>Computes brightness, opacity and stripes for pictures with the formulas of the shader Nowpose/Hologram.</summary>

@@ -2,9 +2,7 @@ using System.Globalization;
 using System.Text.RegularExpressions;
 using MixedReality.Toolkit.UX;
 using Nowpose.Prefabs.Mrtk3;
-using Nowpose.Unity;
 using Nowpose.Unity.Status;
-using UnityEngine;
 
 namespace Nowpose.Prefabs.Pictures;
 

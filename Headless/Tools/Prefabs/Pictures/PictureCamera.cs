@@ -1,5 +1,3 @@
-using UnityEngine;
-
 namespace Nowpose.Prefabs.Pictures;
 
 /// <summary>The camera of a picture. Projects points of the world to the picture.</summary>

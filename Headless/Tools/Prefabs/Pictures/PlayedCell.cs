@@ -1,7 +1,5 @@
 using Nowpose.Samples;
-using Nowpose.Unity;
 using Nowpose.UnityPlayer;
-using UnityEngine;
 
 namespace Nowpose.Prefabs.Pictures;
 

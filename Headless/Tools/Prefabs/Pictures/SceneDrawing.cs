@@ -1,9 +1,7 @@
 using System.Globalization;
 using System.Security;
 using System.Text;
-using Nowpose.Unity;
 using Nowpose.Unity.Status;
-using UnityEngine;
 
 namespace Nowpose.Prefabs.Pictures;
 

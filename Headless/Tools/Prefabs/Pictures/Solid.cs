@@ -1,5 +1,3 @@
-using UnityEngine;
-
 namespace Nowpose.Prefabs.Pictures;
 
 /// <summary>

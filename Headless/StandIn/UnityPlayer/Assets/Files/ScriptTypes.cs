@@ -1,6 +1,5 @@
 using System.Collections.Concurrent;
 using System.Reflection;
-using Nowpose.UnityPlayer.Assets.Values;
 
 namespace Nowpose.UnityPlayer.Assets.Files;
 

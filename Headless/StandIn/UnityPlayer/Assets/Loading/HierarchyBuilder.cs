@@ -1,9 +1,5 @@
 using Nowpose.UnityPlayer.Assets.Objects;
 using Nowpose.UnityPlayer.Assets.Prefabs;
-using Nowpose.UnityPlayer.Assets.Values;
-using Nowpose.UnityPlayer.Assets.Yaml;
-using UnityEngine;
-using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Loading;
 

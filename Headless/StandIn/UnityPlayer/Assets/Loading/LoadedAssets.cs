@@ -1,9 +1,6 @@
 using Nowpose.UnityPlayer.Assets.Files;
 using Nowpose.UnityPlayer.Assets.Objects;
 using Nowpose.UnityPlayer.Assets.Prefabs;
-using Nowpose.UnityPlayer.Assets.Values;
-using Nowpose.UnityPlayer.Assets.Yaml;
-using UnityEngine;
 
 namespace Nowpose.UnityPlayer.Assets.Loading;
 

@@ -1,7 +1,5 @@
 using System.Runtime.CompilerServices;
 using Nowpose.UnityPlayer.Assets.Prefabs;
-using Nowpose.UnityPlayer.Assets.Yaml;
-using UnityEngine;
 
 namespace Nowpose.UnityPlayer.Assets.Loading;
 

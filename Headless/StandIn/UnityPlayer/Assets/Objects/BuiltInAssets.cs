@@ -1,6 +1,3 @@
-using Nowpose.UnityPlayer.Assets.Yaml;
-using UnityEngine;
-
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
 /// <summary>Finds Unity's built-in assets by their fileIDs, which are the same in all projects.</summary>

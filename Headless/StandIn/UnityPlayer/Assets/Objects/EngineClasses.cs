@@ -1,8 +1,3 @@
-using Nowpose.UnityPlayer.Assets.Values;
-using Nowpose.UnityPlayer.Assets.Yaml;
-using UnityEngine;
-using YamlDotNet.RepresentationModel;
-
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
 /// <summary>Unity's classes that are supported in prefabs and scenes, with their fields in the format of Unity 2021.</summary>

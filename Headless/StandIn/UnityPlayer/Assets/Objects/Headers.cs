@@ -1,6 +1,3 @@
-using Nowpose.UnityPlayer.Assets.Yaml;
-using UnityEngine;
-
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
 /// <summary>Leading fields that the objects of many classes have in common.</summary>

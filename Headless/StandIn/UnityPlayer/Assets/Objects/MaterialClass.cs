@@ -1,8 +1,4 @@
 using System.Runtime.CompilerServices;
-using Nowpose.UnityPlayer.Assets.Values;
-using Nowpose.UnityPlayer.Assets.Yaml;
-using UnityEngine;
-using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 

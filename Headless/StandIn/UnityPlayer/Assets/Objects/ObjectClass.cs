@@ -1,7 +1,4 @@
-using Nowpose.UnityPlayer.Assets.Values;
-using UnityEngine;
 using YamlDotNet.Core.Events;
-using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 

@@ -1,7 +1,3 @@
-using Nowpose.UnityPlayer.Assets.Values;
-using UnityEngine;
-using YamlDotNet.RepresentationModel;
-
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
 /// <summary>A component of a class that the stand-in does not implement. It stores all fields unchanged.</summary>

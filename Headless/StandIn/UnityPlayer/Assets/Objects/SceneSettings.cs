@@ -1,5 +1,3 @@
-using Nowpose.UnityPlayer.Assets.Yaml;
-
 namespace Nowpose.UnityPlayer.Assets.Objects;
 
 /// <summary>Settings of a whole scene. The stand-in does not use them, but stores them unchanged.</summary>

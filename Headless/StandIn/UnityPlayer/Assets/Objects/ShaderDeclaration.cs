@@ -1,6 +1,4 @@
 using System.Text.RegularExpressions;
-using Nowpose.UnityPlayer.Assets.Yaml;
-using UnityEngine;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 

@@ -1,6 +1,4 @@
-using Nowpose.UnityPlayer.Assets.Values;
 using UnityEngine.Serialization;
-using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Objects;
 

@@ -1,7 +1,3 @@
-using Nowpose.UnityPlayer.Assets.Values;
-using Nowpose.UnityPlayer.Assets.Yaml;
-using YamlDotNet.RepresentationModel;
-
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
 /// <summary>Replaces the prefab instances in a file with their objects, and updates all references to these objects.</summary>

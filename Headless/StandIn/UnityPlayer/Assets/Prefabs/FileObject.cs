@@ -1,7 +1,3 @@
-using Nowpose.UnityPlayer.Assets.Values;
-using Nowpose.UnityPlayer.Assets.Yaml;
-using YamlDotNet.RepresentationModel;
-
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
 /// <summary>One object of a file after the prefab instances were replaced with their objects. It has its own copy of the fields.</summary>

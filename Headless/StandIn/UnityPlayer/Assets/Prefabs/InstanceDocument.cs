@@ -1,7 +1,3 @@
-using Nowpose.UnityPlayer.Assets.Values;
-using Nowpose.UnityPlayer.Assets.Yaml;
-using YamlDotNet.RepresentationModel;
-
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
 /// <summary>Document of a prefab instance in a file, with its prefab, its parent and its changes.</summary>

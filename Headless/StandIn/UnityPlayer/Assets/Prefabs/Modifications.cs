@@ -1,6 +1,3 @@
-using Nowpose.UnityPlayer.Assets.Yaml;
-using YamlDotNet.RepresentationModel;
-
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
 /// <summary>Computes the modifications that change one object into another. This is the inverse of <see cref="PropertyPath.Set"/>.</summary>

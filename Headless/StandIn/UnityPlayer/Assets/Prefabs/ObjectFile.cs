@@ -1,5 +1,3 @@
-using Nowpose.UnityPlayer.Assets.Yaml;
-
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
 /// <summary>A prefab or scene as one flat list of objects. The objects of its prefab instances are included, with their changes applied.</summary>

@@ -1,6 +1,3 @@
-using Nowpose.UnityPlayer.Assets.Yaml;
-using YamlDotNet.RepresentationModel;
-
 namespace Nowpose.UnityPlayer.Assets.Prefabs;
 
 /// <summary>An instance of a prefab in another file. The fileIDs of its objects are computed as in Unity.</summary>

@@ -1,6 +1,5 @@
 using System.Security.Cryptography;
 using System.Text;
-using UnityEngine;
 
 namespace Nowpose.UnityPlayer.Assets.Saving;
 

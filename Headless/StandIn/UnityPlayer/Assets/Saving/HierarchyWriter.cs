@@ -1,8 +1,5 @@
 using Nowpose.UnityPlayer.Assets.Loading;
 using Nowpose.UnityPlayer.Assets.Prefabs;
-using Nowpose.UnityPlayer.Assets.Values;
-using Nowpose.UnityPlayer.Assets.Yaml;
-using UnityEngine;
 
 namespace Nowpose.UnityPlayer.Assets.Saving;
 

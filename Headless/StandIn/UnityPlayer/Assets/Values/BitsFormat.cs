@@ -1,6 +1,3 @@
-using Nowpose.UnityPlayer.Assets.Yaml;
-using YamlDotNet.RepresentationModel;
-
 namespace Nowpose.UnityPlayer.Assets.Values;
 
 /// <summary>Format of a layer mask, which is an int in Unity's API: <c>serializedVersion: 2, m_Bits: 4294967295</c>.</summary>

@@ -1,6 +1,3 @@
-using Nowpose.UnityPlayer.Assets.Yaml;
-using YamlDotNet.RepresentationModel;
-
 namespace Nowpose.UnityPlayer.Assets.Values;
 
 /// <summary>

@@ -1,7 +1,3 @@
-using Nowpose.UnityPlayer.Assets.Yaml;
-using UnityEngine;
-using YamlDotNet.RepresentationModel;
-
 namespace Nowpose.UnityPlayer.Assets.Values;
 
 /// <summary>Format of a Color32: one number that contains the four bytes. Red is the lowest byte.</summary>

@@ -1,6 +1,4 @@
 using System.Globalization;
-using YamlDotNet.RepresentationModel;
-using Nowpose.UnityPlayer.Assets.Yaml;
 
 namespace Nowpose.UnityPlayer.Assets.Values;
 

@@ -1,8 +1,5 @@
 using System.Reflection;
-using Nowpose.UnityPlayer.Assets.Yaml;
-using UnityEngine;
 using UnityEngine.Serialization;
-using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Values;
 

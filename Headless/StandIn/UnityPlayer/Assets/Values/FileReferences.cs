@@ -1,6 +1,4 @@
 using Nowpose.UnityPlayer.Assets.Loading;
-using Nowpose.UnityPlayer.Assets.Yaml;
-using UnityEngine;
 
 namespace Nowpose.UnityPlayer.Assets.Values;
 

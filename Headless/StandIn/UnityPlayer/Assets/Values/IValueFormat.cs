@@ -1,5 +1,3 @@
-using YamlDotNet.RepresentationModel;
-
 namespace Nowpose.UnityPlayer.Assets.Values;
 
 /// <summary>Format of the values of one type in Unity's files. <see cref="Read"/> is the inverse of <see cref="Write"/>.</summary>

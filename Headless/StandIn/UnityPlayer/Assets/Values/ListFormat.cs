@@ -1,6 +1,4 @@
 using System.Collections;
-using YamlDotNet.RepresentationModel;
-using Nowpose.UnityPlayer.Assets.Yaml;
 
 namespace Nowpose.UnityPlayer.Assets.Values;
 

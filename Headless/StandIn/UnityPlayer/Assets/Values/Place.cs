@@ -1,5 +1,3 @@
-using YamlDotNet.RepresentationModel;
-
 namespace Nowpose.UnityPlayer.Assets.Values;
 
 /// <summary>A place in a file, for error messages. Example: <c>Arm.prefab &amp;12 Light.m_Color</c>.</summary>

@@ -1,6 +1,3 @@
-using YamlDotNet.RepresentationModel;
-using Nowpose.UnityPlayer.Assets.Yaml;
-
 namespace Nowpose.UnityPlayer.Assets.Values;
 
 /// <summary>Format of a reference to an object. The empty reference is <c>{fileID: 0}</c>.</summary>

@@ -1,6 +1,4 @@
 using System.Collections.Concurrent;
-using Nowpose.UnityPlayer.Assets.Yaml;
-using UnityEngine;
 using UnityEngine.Serialization;
 
 namespace Nowpose.UnityPlayer.Assets.Values;

@@ -1,5 +1,3 @@
-using YamlDotNet.RepresentationModel;
-
 namespace Nowpose.UnityPlayer.Assets.Yaml;
 
 /// <summary>

@@ -1,5 +1,4 @@
 using YamlDotNet.Core.Events;
-using YamlDotNet.RepresentationModel;
 
 namespace Nowpose.UnityPlayer.Assets.Yaml;
 

@@ -1,5 +1,3 @@
-using YamlDotNet.RepresentationModel;
-
 namespace Nowpose.UnityPlayer.Assets.Yaml;
 
 /// <summary>One object in a file: the header <c>--- !u!CLASS &amp;FILEID</c>, the name of the class, and the fields.</summary>
