@@ -26,7 +26,8 @@ Environment.CurrentDirectory = Path.GetFullPath("../../..", AppContext.BaseDirec
 
 var summaries = BenchmarkSwitcher.FromTypes([typeof(FrameBenchmarks), typeof(SampleBenchmarks), typeof(PredictorBenchmarks), typeof(ExchangeBenchmarks),
         typeof(SceneBenchmarks), typeof(BodyBenchmarks)])
-    .Run(args.Length > 0 ? args : ["--filter", "*"], MeasurementSettings.Create())
+    // A job in the arguments, such as --job Dry, replaces the settings.
+    .Run(args.Length > 0 ? args : ["--filter", "*"], args.Contains("--job") ? null : MeasurementSettings.Create())
     .ToList();
 if (summaries.Count == 0) return 1;
 

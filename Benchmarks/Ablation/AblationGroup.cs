@@ -42,13 +42,20 @@ sealed class AblationGroup(string name, IReadOnlyList<AblationRun> runs)
     /// <summary>Names of the errors, in the order of <see cref="Errors"/>.</summary>
     public IReadOnlyList<string> Names { get; } = [.. runs.SelectMany(run => run.Names)];
 
-    public static IReadOnlyList<AblationGroup> All(string recordings)
+    /// <param name="recordings">Folder with recorded motions; null for none.</param>
+    /// <param name="motions">Text in the names of the motions; null for all.</param>
+    public static IReadOnlyList<AblationGroup> All(string recordings, string motions)
     {
         var groups = new List<AblationGroup> { Simulated("simulated", 0, Seeds), Simulated("stamps ±5 ms", 0.005, Seeds),
             Objects("objects", [.. ObjectMotions.All(Seeds[0])]), Objects("first turns", [.. TurningMotions.All(Seeds[0])]) };
         if (recordings != null) groups.Insert(0, Recorded(recordings));
-        return groups;
+        if (motions == null) return groups;
+        var selected = groups.Select(group => group.Only(motions)).Where(group => group.Names.Count > 0).ToList();
+        return selected.Count > 0 ? selected
+            : throw new InputException($"--motions: no name contains '{motions}'; the names are {string.Join("; ", groups.SelectMany(group => group.Names))}");
     }
+
+    AblationGroup Only(string motions) => new(name, [.. runs.Where(run => run.Names[0].Contains(motions, StringComparison.OrdinalIgnoreCase))]);
 
     /// <summary>Gets the simulated motions with seeds with which nothing was selected, three for each set.</summary>
     public static IEnumerable<AblationGroup> HeldOut(int sets) => Enumerable.Range(0, sets).Select(set =>

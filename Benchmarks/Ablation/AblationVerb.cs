@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.Numerics;
 using MathNet.Numerics.Statistics;
 using Nowpose.Benchmarks.Comparison;
 using Nowpose.Gateway.Options;
@@ -9,32 +10,27 @@ namespace Nowpose.Benchmarks.Ablation;
 /// <summary>ablation: measures how the error changes when each part of the default predictor is removed.</summary>
 static class AblationVerb
 {
-    static readonly PredictionParts[] Parts =
-    [
-        PredictionParts.Repetition, PredictionParts.Braking, PredictionParts.Profiles, PredictionParts.Process, PredictionParts.Quadratic, PredictionParts.Cubic,
-        PredictionParts.QuadraticOfFive, PredictionParts.CubicOfSix, PredictionParts.QuadraticOfTen, PredictionParts.LineOfTen, PredictionParts.Reported,
-        PredictionParts.ChangePoints, PredictionParts.Scatter, PredictionParts.Persistence, PredictionParts.DistanceLimit, PredictionParts.Jumps,
-        PredictionParts.StampCorrection, PredictionParts.Thinning, PredictionParts.Interpolation,
-    ];
+    static readonly PredictionParts[] Parts = [.. Enum.GetValues<PredictionParts>().Where(part => BitOperations.IsPow2((int)part))];
 
     public static Command Create()
     {
-        var recordings = Recordings();
+        var (recordings, motions) = (Recordings(), Motions());
         var heldOut = NumberOption.CreateOptional("--held-out",
             "Number of sets of three seeds with which nothing was selected. Only the errors of the whole predictor are then computed", 2, 100, "");
         var command = new Command("ablation", "Compare the errors of the default predictor with and without each of its parts, in virtual time")
         {
-            recordings, heldOut,
+            recordings, motions, heldOut,
         };
         command.Validators.Add(result =>
         {
-            if (result.GetResult(heldOut) != null && result.GetResult(recordings) != null)
-                result.AddError("--recordings: --held-out uses only simulated motions; remove one of the two options.");
+            if (result.GetResult(heldOut) == null) return;
+            foreach (var other in new Option[] { recordings, motions }.Where(other => result.GetResult(other) != null))
+                result.AddError($"{other.Name}: --held-out uses all simulated motions, and no others; remove one of the two options.");
         });
         command.SetAction((parsed, stop) =>
         {
             if (parsed.GetValue(heldOut) is int sets) WriteHeldOut(sets, stop);
-            else Write(parsed.GetValue(recordings)?.FullName, stop);
+            else Write(AblationGroup.All(parsed.GetValue(recordings)?.FullName, parsed.GetValue(motions)), stop);
             return Task.FromResult(ExitStatus.Done);
         });
         return command;
@@ -46,13 +42,15 @@ static class AblationVerb
         Description = "Folder with motions in the format of replay (*.csv, *.csv.gz). Default: simulated motions only", HelpName = "DIR",
     }.AcceptExistingOnly();
 
+    /// <summary>Creates the option that selects some of the motions.</summary>
+    public static Option<string> Motions() => TextOption.Create("--motions", "Only the motions whose names in the table contain this text", "TEXT");
+
     /// <summary>Returns the headings of the columns of all groups.</summary>
     public static IEnumerable<string> Headings(IReadOnlyList<AblationGroup> groups) =>
         groups.Select(group => $"{group.Name} ({group.Names.Count} errors)");
 
-    static void Write(string recordings, CancellationToken stop)
+    static void Write(IReadOnlyList<AblationGroup> groups, CancellationToken stop)
     {
-        var groups = AblationGroup.All(recordings);
         var whole = AblationGroup.Errors(groups);
         var table = new MarkdownTable(Console.Out, ["without", .. Headings(groups)]);
         foreach (var part in Parts)

@@ -20,7 +20,8 @@ static class LoadVerb
     {
         var headsets = NumberOption.Create("--headsets", "Number of headsets, with two connections each", 200, 1, 4000, "");
         var rate = NumberOption.Create("--rate-hz", "Samples per second", 50.0, 1, 1000, "Hz");
-        var seconds = NumberOption.Create("--seconds", "Duration of the measurement, after a warm-up of 10 s", 300, 1, 86_400, "s");
+        var seconds = NumberOption.Create("--seconds", "Duration of the measurement, after the warm-up", 300, 1, 86_400, "s");
+        var warmUp = NumberOption.Create("--warm-up-s", "Duration of the warm-up, until the gateway's memory has its final size", 10, 1, 600, "s");
         var breaks = SwitchOption.Create(
             "--until-it-breaks", "Afterwards, increase the number of headsets by a quarter every 20 s until P99 reaches 5 ms or samples are lost");
         var compared = TextOption.Create(
@@ -29,12 +30,13 @@ static class LoadVerb
         var command = new Command(
             "gateway", "Run a gateway in a separate process with many headsets, which share this machine's processors with it")
         {
-            headsets, rate, seconds, breaks, compared, rounds,
+            headsets, rate, seconds, warmUp, breaks, compared, rounds,
         };
         command.SetAction(async (parsed, stop) =>
         {
             var settings = new LoadSettings(
-                parsed.GetValue(headsets), parsed.GetValue(rate), TimeSpan.FromSeconds(parsed.GetValue(seconds)));
+                parsed.GetValue(headsets), parsed.GetValue(rate), TimeSpan.FromSeconds(parsed.GetValue(seconds)),
+                TimeSpan.FromSeconds(parsed.GetValue(warmUp)));
             if (parsed.GetValue(compared) is { } program) return await CompareAsync(settings, program, parsed.GetValue(rounds), stop);
             var results = await MeasureAsync(settings, parsed.GetValue(breaks), stop);
             LoadTable.Write(results, Console.Out);

@@ -28,7 +28,8 @@ static class SessionVerb
     static async Task<int> MeasureAsync(int headsets, int rounds, TimeSpan stay, CancellationToken stop)
     {
         const double RateHz = 20;
-        using var gateway = await GatewayProcess.StartAsync(RateHz, headsets * 2);
+        // While headsets connect, the gateway may still have the connections of the previous round.
+        using var gateway = await GatewayProcess.StartAsync(RateHz, headsets * 4);
         var truth = ControlTruth.Measure(gateway.Sync);
         using var http = new HttpClient();
         var samples = new List<MemorySample> { await ReadAsync(gateway, http, 0) };

@@ -15,7 +15,7 @@ static class SensitivityVerb
 
     public static Command Create()
     {
-        var recordings = AblationVerb.Recordings();
+        var (recordings, motions) = (AblationVerb.Recordings(), AblationVerb.Motions());
         var names = new Option<string[]>("--constants")
         {
             Description = "Constants by class or by class and name, such as CandidateGate or CandidateGate.MinScores. Default: all of the prediction",
@@ -27,22 +27,22 @@ static class SensitivityVerb
         };
         var command = new Command("sensitivity", "Compare the errors of the default predictor with other values of its constants, in virtual time")
         {
-            recordings, names, factors,
+            recordings, motions, names, factors,
         };
         command.SetAction((parsed, stop) =>
         {
-            Write(parsed.GetValue(recordings)?.FullName, parsed.GetValue(names), parsed.GetValue(factors), stop);
+            Write((parsed.GetValue(recordings)?.FullName, parsed.GetValue(motions)), parsed.GetValue(names), parsed.GetValue(factors), stop);
             return Task.FromResult(ExitStatus.Done);
         });
         return command;
     }
 
-    static void Write(string recordings, string[] names, double[] factors, CancellationToken stop)
+    static void Write((string Recordings, string Motions) runs, string[] names, double[] factors, CancellationToken stop)
     {
         var folder = Path.GetFullPath("../../../../" + Core, AppContext.BaseDirectory);
         var source = new CoreSource(folder);
         var constants = Selected(source.ConstantsOf(Path.Combine(folder, "Prediction")), names);
-        var groups = AblationGroup.All(recordings);
+        var groups = AblationGroup.All(runs.Recordings, runs.Motions);
         var whole = AblationGroup.Errors(groups);
         var table = new MarkdownTable(Console.Out, ["constant", "value", "factor", .. AblationVerb.Headings(groups)]);
         foreach (var (index, constant) in constants.Index())
@@ -51,7 +51,7 @@ static class SensitivityVerb
             foreach (var factor in factors)
             {
                 stop.ThrowIfCancellationRequested();
-                table.Add($"{constant.Name} | {constant.Value:g4} | {factor} | {Cells(source, constant, factor, recordings, whole)}");
+                table.Add($"{constant.Name} | {constant.Value:g4} | {factor} | {Cells(source, constant, factor, runs, whole)}");
             }
         }
         Console.WriteLine();
@@ -70,12 +70,12 @@ static class SensitivityVerb
 
     static string ClassOf(SourceConstant constant) => constant.Name.Split('.')[0];
 
-    static string Cells(CoreSource source, SourceConstant constant, double factor, string recordings, double[][] whole)
+    static string Cells(CoreSource source, SourceConstant constant, double factor, (string Recordings, string Motions) runs, double[][] whole)
     {
         try
         {
             var variant = new VariantContext(source.Compile(constant, factor), typeof(RigidTransform).Assembly.GetName().Name);
-            var errors = variant.Errors(recordings);
+            var errors = variant.Errors(runs.Recordings, runs.Motions);
             variant.Unload();
             return string.Join(" | ", errors.Zip(whole, (changed, of) => new ErrorRatios(changed, of)));
         }

@@ -8,16 +8,16 @@ namespace Nowpose.Benchmarks.Sensitivity;
 sealed class VariantContext(byte[] core, string coreName) : AssemblyLoadContext(isCollectible: true)
 {
     /// <summary>Gets the errors of the default predictor, for each group of motions.</summary>
-    /// <param name="recordings">Folder with recorded motions; null for none.</param>
-    public double[][] Errors(string recordings)
+    /// <inheritdoc cref="AblationGroup.All"/>
+    public double[][] Errors(string recordings, string motions)
     {
         var assembly = LoadFromAssemblyPath(typeof(VariantContext).Assembly.Location);
         var errors = assembly.GetType(typeof(VariantContext).FullName!)!.GetMethod(nameof(ErrorsHere), BindingFlags.Static | BindingFlags.NonPublic)!;
-        return (double[][])errors.Invoke(null, [recordings]);
+        return (double[][])errors.Invoke(null, [recordings, motions]);
     }
 
     /// <summary>Gets the errors with the Core of the assembly's own context.</summary>
-    static double[][] ErrorsHere(string recordings) => AblationGroup.Errors(AblationGroup.All(recordings));
+    static double[][] ErrorsHere(string recordings, string motions) => AblationGroup.Errors(AblationGroup.All(recordings, motions));
 
     protected override Assembly Load(AssemblyName assemblyName)
     {
