@@ -4,9 +4,12 @@ const FIRST_MS = 200;
 const MAX_MS = 1500;
 const VARIATION = 0.2;
 
-/** Limits of the delays after a refusal of user and password, because many servers lock the account after several attempts with a wrong password. */
+/**
+ * Limits of the delays after a refusal of user and password, because many servers lock the account after several attempts with a wrong password. With
+ * the variation, the longest delay is 5 min.
+ */
 const LOGIN_FIRST_MS = 30_000;
-const LOGIN_MAX_MS = 300_000;
+const LOGIN_MAX_MS = 250_000;
 
 /** Maximum length of an attempt that does not reset the delays. */
 const STEADY_MS = 2000;
