@@ -94,7 +94,8 @@ export class NotificationTime implements PlcTime {
     if (this.#asking === 0) this.#early.clear();
     if (early !== undefined) return Promise.resolve(early);
     return new Promise((resolve, reject) => {
-      const cancel = afterArrivals(MAX_WAIT_MS, () => reject(new Error(adsMessages.noNotification(MAX_WAIT_MS))));
+      // Once more, because ads-client reads a packet that has arrived only in a later step.
+      const cancel = afterArrivals(MAX_WAIT_MS, () => setImmediate(() => reject(new Error(adsMessages.noNotification(MAX_WAIT_MS)))));
       this.#waiting.set(handle, stamp => {
         cancel();
         resolve(stamp);

@@ -58,6 +58,19 @@ describe('time by notifications', () => {
       assert.deepEqual([(await time.read()).sent, (await time.read()).sent], [ofFileTime(STAMP + 2n), ofFileTime(STAMP + 1n)]);
     });
 
+  // ads-client reads a packet in a step of its own after its arrival.
+  it('NotificationTime_NotificationArrivedDuringAPauseOfTheProcess_IsUsed', async t => {
+    const wait = new Promise(resolve => t.mock.method(globalThis, 'setTimeout', resolve));
+    const time = new NotificationTime(
+      { subscribe: async () => ({ notificationHandle: 1, unsubscribe: async () => {} }) }, { indexGroup: 1, indexOffset: 2, size: 4 });
+    const read = time.read(), end = await wait;
+
+    end();
+    setImmediate(() => time.saw(1, STAMP));
+
+    assert.equal((await read).sent, ofFileTime(STAMP));
+  });
+
   it('NotificationTime_HandleOfAnEarlierRequest_IsIgnored', async () => {
     const time = plc({ early: false, handles: [1, 1] });
     await time.read();
