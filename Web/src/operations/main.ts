@@ -94,8 +94,8 @@ async function read(): Promise<void> {
   if (isRefused) {
     link.close();
     hidePairing();
-    // The next person at a shared computer must not see the data.
-    byId('content').hidden = byId('alarms').hidden = true;
+    overall.clear();
+    byId('content').hidden = true;
     seen = '';
   }
   if ('value' in answer) {

@@ -12,7 +12,8 @@ export class Overall {
   private readonly condition = byId('condition');
   private readonly detail = byId('detail');
   private readonly alarms = byId('alarms');
-  private title = document.title;
+  private readonly bareTitle = document.title;
+  private title = this.bareTitle;
 
   show({ cell, host, version, status, events }: State): void {
     setText(byId('cell'), cell || operationsLabels.operations);
@@ -28,6 +29,14 @@ export class Overall {
     );
     this.alarms.classList.remove('stale');
     this.showAlarms((events ?? []).filter(event => !event.until_utc));
+  }
+
+  /** Removes all data after a log-out, because the next person at a shared computer must not see them. */
+  clear(): void {
+    setText(byId('cell'), operationsLabels.operations);
+    setText(byId('place'), '');
+    this.title = this.bareTitle;
+    this.alarms.hidden = true;
   }
 
   /** Shows that the state is unknown. Called when the gateway does not respond. */

@@ -39,6 +39,7 @@ describe('the log-in', () => {
 
   it('leaves no data on the page after a log-out, also if the gateway then does not respond', async () => {
     gateway.token = 'open-sesame';
+    gateway.state.cell = 'Press 4';
     gateway.state.events = [{ id: 7, kind: 'joint', which: 'arm_joint_3', what: 'is refused', reason: '', level: 'error', since_utc: ago(95) }];
     const page = await open({}, false);
     await page.fill('#token-text', 'open-sesame');
@@ -52,6 +53,8 @@ describe('the log-in', () => {
     await becomes(page, '#trouble', operationsMessages.noNewState(gatewayReasons.noAnswer, ''));
 
     for (const part of ['#content', '#alarms']) assert.ok(await page.locator(part).isHidden(), part);
+    const header = await page.evaluate(() => [document.title, ...['cell', 'place'].map(id => document.getElementById(id).textContent)]);
+    assert.deepEqual(header, ['Not known: Nowpose: operations', 'Operations', '']);
   });
 
   it('is not preceded by a message about the connection for joint positions', async () => {
