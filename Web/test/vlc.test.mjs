@@ -230,6 +230,30 @@ describe('the page of the control clock\'s code', () => {
     await locksBecome(0);
   });
 
+  it('keeps the screen on after the browser has refused it once, and not after the end of full screen', async () => {
+    const page = await open(await (gateway = new ClockGateway()).start());
+    await page.evaluate(() => {
+      [window.locks, window.answers] = [0, []];
+      const request = () => new Promise((resolve, reject) => window.answers.push({
+        accept: () => resolve((window.locks++, { release: async () => void window.locks-- })), refuse: () => reject(new Error('hidden')),
+      }));
+      Object.defineProperty(navigator, 'wakeLock', { value: { request } });
+    });
+    const asked = count => page.waitForFunction(count => window.answers.length === count, count);
+    const isFull = value => page.waitForFunction(value => (document.fullscreenElement !== null) === value, value);
+
+    await page.click('#full-screen');
+    await asked(1);
+    await page.evaluate(() => window.answers[0].refuse());
+    await page.evaluate(() => document.dispatchEvent(new Event('visibilitychange')));
+    await asked(2);
+    await page.click('#full-screen');
+    await isFull(false);
+    await page.evaluate(() => window.answers[1].accept());
+
+    await page.waitForFunction(() => window.locks === 0);
+  });
+
   it('shows the control time in a browser without full screen and without a timeout for requests', async () => {
     const page = await open(await (gateway = new ClockGateway()).start());
     await page.addInitScript(() => {

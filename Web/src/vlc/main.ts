@@ -19,6 +19,8 @@ const input = form.querySelector('input')!;
 const light = canvas.getContext('2d', { alpha: false })!;
 const monitor = new Monitor();
 let wakeLock: WakeLockSentinel | undefined;
+/** Whether the screen is to stay on. Not the same as full screen, which an iPhone does not have. */
+let isKeptOn = false;
 const exchanges = new Exchanges(() => {
   form.hidden = false;
 });
@@ -80,12 +82,16 @@ async function toggleFullScreen(): Promise<void> {
   if (document.fullscreenElement) return document.exitFullscreen();
   // An iPhone has no full screen.
   await document.documentElement.requestFullscreen?.();
+  isKeptOn = true;
   await keepScreenOn();
 }
 
 /** Keeps the screen on, because a dimmed screen cannot be read. Some browsers have no wake lock, and no browser has one over plain HTTP. */
 async function keepScreenOn(): Promise<void> {
-  wakeLock = await navigator.wakeLock?.request('screen').catch(() => undefined);
+  const lock = await navigator.wakeLock?.request('screen').catch(() => undefined);
+  // Full screen may have ended during the request.
+  if (isKeptOn) wakeLock = lock;
+  else void lock?.release();
 }
 
 form.addEventListener('submit', event => {
@@ -94,12 +100,13 @@ form.addEventListener('submit', event => {
   input.value = '';
   form.hidden = true;
 });
-// A wake lock ends when the page is hidden.
+// A wake lock ends when the page is hidden, and the browser may have refused it, for example because the page was hidden again at once.
 document.addEventListener('visibilitychange', () => {
-  if (wakeLock && !document.hidden) void keepScreenOn();
+  if (isKeptOn && !document.hidden) void keepScreenOn();
 });
 document.addEventListener('fullscreenchange', () => {
   if (document.fullscreenElement) return;
+  isKeptOn = false;
   void wakeLock?.release();
   wakeLock = undefined;
 });
