@@ -153,6 +153,20 @@ describe('silent symbols', () => {
     assert.deepEqual([cell.renewed, cell.confirmed], [[0], [[1], [1]]]);
   });
 
+  for (const value of [7, null])
+    it(`Symbol_ProgramStopsDuringTheRead_IsNeitherSubscribedAgainNorLost (${value})`, async () => {
+      const cell = plc(), { actions } = cell.symbols, { read } = actions;
+      actions.read = joint => {
+        cell.isRunning = false;
+        return read(joint);
+      };
+      cell.values[0] = value;
+
+      await cell.look();
+
+      assert.deepEqual([cell.renewed, cell.lost, cell.confirmed], [[], [], []]);
+    });
+
   for (const [name, value, expected] of [['', 1, [0, 1]], ['OneNotReadable', null, [1]]])
     it(`Symbols_SubscriptionsRefused${name}_AreTriedAgainOneAfterTheOther`, async () => {
       const cell = plc(), counts = [];

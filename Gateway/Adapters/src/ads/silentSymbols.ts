@@ -111,7 +111,10 @@ export class SilentSymbols {
     let value: PlcNumber;
     try {
       value = await this.actions.read(index);
+      // The program may have stopped during the read.
+      if (!this.actions.isRunning()) return false;
     } catch (error) {
+      if (!this.actions.isRunning()) return false;
       const symbol = this.#symbols[index]!;
       symbol.isLost = true;
       // Gives way to the other refused subscriptions.
