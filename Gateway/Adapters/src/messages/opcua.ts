@@ -79,6 +79,7 @@ export const opcuaRefusalMessages = {
     `the server does not trust this adapter (${status}); accept the certificate ${file}, thumbprint ${thumbprint}, on the server`,
   user: (name: string) =>
     `the server does not accept the user ${name}; check name and password in plant.user, and the rights of this user on the server; ${laterLogin}`,
+  noRight: (status: string) => `the server refuses a request after the login (${status}); give this user the right to read on the server`,
   anonymous: 'the server does not accept an anonymous user or this certificate; set plant.user to a user with read access',
   noOpenEndpoint: 'the server offers no connection without security; remove plant.security.mode',
   noPolicy: (policy: string) =>

@@ -80,10 +80,12 @@ async function attempt(
   status.enter('connecting');
   const stop = (): void => void session.close();
   stopping.addEventListener('abort', stop);
+  let isLoggedIn = false;
   let wasConnected = false;
   let isLoginRefused = false;
   try {
     await session.open(identity(settings));
+    isLoggedIn = true;
     const { ids: nodes, lost } = await idsOf(session, map);
     const serverSilence = new ServerSilence();
     const clock = await clockOf(session, settings, settings.time === null ? null : nodes.at(-1)!, context.log);
@@ -138,7 +140,7 @@ async function attempt(
     const reason = await Promise.race([session.ended, detected]);
     if (!stopping.aborted) status.enter('waiting', reason);
   } catch (error) {
-    const trouble = refusalOf(error as Error, trust, settings, own);
+    const trouble = refusalOf(error as Error, trust, settings, own, isLoggedIn);
     isLoginRefused = trouble.isLoginRefused === true;
     if (!stopping.aborted) status.enter(trouble.isRefusal ? 'refused' : 'waiting', trouble.text);
   } finally {

@@ -31,13 +31,17 @@ const CURES: [RegExp, (settings: OpcUaSettings, own: OwnCertificate, status: str
   [/BadTooManySessions|BadTcpNotEnoughResources/, () => opcuaRefusalMessages.noFreeSession],
 ];
 
-/** Classifies the error of a connection attempt: whether a user must act (a refusal), or waiting may help. */
-export function refusalOf(error: Error, trust: TrustList, settings: OpcUaSettings, own: OwnCertificate): Trouble {
+/**
+ * Classifies the error of a connection attempt: whether a user must act (a refusal), or waiting may help.
+ * @param isLoggedIn Whether the error is that of a request after the login.
+ */
+export function refusalOf(error: Error, trust: TrustList, settings: OpcUaSettings, own: OwnCertificate, isLoggedIn: boolean): Trouble {
   if (error instanceof Refused) return { isRefusal: true, text: error.message };
   if (trust.refusal !== null) return { isRefusal: true, text: trust.refusal };
   for (const [pattern, textOf] of CURES) {
     const status = pattern.exec(error.message)?.[0];
     if (status === undefined) continue;
+    if (pattern === LOGIN_REFUSED && isLoggedIn) return { isRefusal: true, text: opcuaRefusalMessages.noRight(status) };
     return { isRefusal: true, isLoginRefused: pattern === LOGIN_REFUSED && settings.user !== null, text: textOf(settings, own, status) };
   }
   return { isRefusal: false, text: isAway(error) ? opcuaMessages.noServer(settings.endpoint) : requestTrouble(error) };
