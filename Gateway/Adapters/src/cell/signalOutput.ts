@@ -87,6 +87,11 @@ export class SignalOutput {
     this.status.signals.fault(this.#nameOf(value), refusal);
   }
 
+  /** Sets the reason why a signal is not published yet. */
+  explain(value: number, reason: Refusal): void {
+    this.status.signals.explain(this.#nameOf(value), reason);
+  }
+
   /** Counts an invalid value. The signal keeps its last valid value, and its state shows that the newest value is invalid. */
   refuse(value: number, { reason, text }: Refusal): void {
     this.#valid.delete(value - this.offset);

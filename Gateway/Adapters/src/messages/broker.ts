@@ -57,6 +57,8 @@ export const brokerMessages = {
 export const mqttMessages = {
   nothingRead: 'no value is read; add joints, frames or signals',
   arrivalTime: 'the time of arrival',
+  accepted: (topic: string) =>
+    `the broker now accepts the subscription to ${topic}, but no value has arrived since; check that its publisher is running`,
   retained: 'only a retained message of unknown age has arrived; the value is used after the next message',
   empty: (topic: string) => `the message on ${topic} is empty, as when a retained message is deleted; publish a value`,
   notJson: (topic: string) => `the message on ${topic} is not valid JSON; publish an object, a list, a number, true or false`,

@@ -40,10 +40,14 @@ export async function run(context: AdapterContext<MqttSettings>): Promise<void> 
     refused: (topic, reason) => {
       for (const index of values.indicesOf(topic)) output.lose(index, { reason: 'not-readable', text: reason });
     },
+    accepted: topic => {
+      for (const index of values.indicesOf(topic)) output.explain(index, { reason: 'not-connected', text: mqttMessages.accepted(topic) });
+    },
     heard: (topic, payload, isRetained) => {
       const found = valuesIn(values, topic, payload, isRetained ? null : clock.now, time);
       output.publish(isRetained ? found.map(value => ({ ...value, isFirst: true })) : found);
-      if (isRetained) for (const { index, refusal } of found) if (refusal === undefined) output.explain(index, RETAINED);
+      // Signals are published at once.
+      if (isRetained) for (const { index, refusal } of found) if (refusal === undefined && !output.isSignal(index)) output.explain(index, RETAINED);
     },
     malformed: (topic, problem) => status.refuse('malformed', topic, problem),
   };

@@ -27,6 +27,8 @@ export interface MqttEvents {
   away(reason: string, wasOpen: boolean): void;
   /** Called if the broker refuses the subscription to a topic. The link tries it again. */
   refused?(topic: string, reason: string): void;
+  /** Called if the broker accepts the subscription to a topic that it has refused. */
+  accepted?(topic: string): void;
   /** Called when the reason changes for which the broker refuses a subscription. It is the reason of the first refused topic; null if there is none. */
   subscriptionRefused?(reason: string | null): void;
   /**
@@ -166,6 +168,7 @@ export class MqttLink {
         if (error && response === undefined) return;
         const reason = error ? brokerMessages.subscriptionRefused(topic, error.message) : null;
         if (reason !== null) this.events.refused?.(topic, reason);
+        else if (this.#refusals.has(topic)) this.events.accepted?.(topic);
         this.#refusals.judge(topic, reason);
       });
     }

@@ -15,6 +15,11 @@ export class Refusals {
     readonly again: (topics: string[]) => void,
   ) {}
 
+  /** Whether the broker refuses the topic. */
+  has(topic: string): boolean {
+    return this.#reasons.has(topic);
+  }
+
   /** @param reason The reason why the broker refuses a topic; null if it accepts the topic. */
   judge(topic: string, reason: string | null): void {
     const before = this.#first;

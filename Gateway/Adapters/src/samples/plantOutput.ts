@@ -138,9 +138,14 @@ export class PlantOutput {
     this.joints.samplingS = this.frames.states.samplingS = seconds;
   }
 
-  /** Reports the reason why a joint or frame is not published yet although its value has arrived. Ignores signals, which are published at once. */
+  /** Sets the reason why a joint, frame or signal that is neither live nor at rest is not published yet. */
   explain(index: number, reason: Refusal): void {
-    if (index < this.#firstOfSignals) (index < this.#firstOfFrames ? this.joints : this.frames).explain(index, reason);
+    this.#outputOf(index).explain(index, reason);
+  }
+
+  /** Whether the value belongs to a signal. */
+  isSignal(index: number): boolean {
+    return index >= this.#firstOfSignals;
   }
 
   /** Sets the time in ms without a confirmation after which a value has a fault; null if the control system does not confirm values. */
@@ -150,6 +155,6 @@ export class PlantOutput {
 
   #outputOf(index: number): JointOutput | PoseOutput | SignalOutput {
     if (index < this.#firstOfFrames) return this.joints;
-    return index < this.#firstOfSignals ? this.frames : this.signals;
+    return this.isSignal(index) ? this.signals : this.frames;
   }
 }

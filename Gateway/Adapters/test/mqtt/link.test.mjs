@@ -1,18 +1,25 @@
-// Tests how an MQTT link connects, subscribes and ends with a broker that refuses something or does not respond. No installed broker is needed.
+// Tests how an MQTT link, and the adapter with it, connects, subscribes and ends with a broker that refuses something or does not respond.
+// No installed broker is needed.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { RefusingBroker } from '../broker/refusingBroker.mjs';
 import { ANY, like, messages } from '../messages.mjs';
 import { parts } from '../parts.mjs';
-import { until } from '../program.mjs';
+import { start, until } from '../program.mjs';
+import { RosbridgeDouble } from '../rosbridge.mjs';
+import { temporaryFile } from '../temporary.mjs';
+import { clockAhead, configuration } from './cell.mjs';
 
-const { brokerMessages } = messages;
+const { brokerMessages, mqttMessages } = messages;
 const { MqttLink } = await parts('mqtt/link');
 
 const USER = { name: 'hall', password: 'of-the-hall' };
 
 /** Interval in ms at which a link repeats refused subscriptions, and time for its goodbye. */
 const REPETITION_MS = 10_000, GOODBYE_MS = 500;
+
+/** Calls the functions of all intervals at which refused subscriptions are repeated. */
+const repeat = ({ calls }) => calls.filter(call => call.arguments[1] === REPETITION_MS).forEach(call => call.arguments[0]());
 
 /** Starts a link. `heard` has the calls of its events, as lists of the name and the arguments. */
 async function linkTo(t, broker, topics = [], { user = null, options, leaving } = {}) {
@@ -45,21 +52,35 @@ describe('mqtt link', () => {
 
   it('Subscription_RefusedThenAccepted_IsRepeatedUntilItIsAccepted', async t => {
     const broker = await RefusingBroker.start(t), { mock } = t.mock.method(globalThis, 'setInterval'), asked = [];
-    const repeat = () => mock.calls.filter(call => call.arguments[1] === REPETITION_MS).forEach(call => call.arguments[0]());
     broker.refuses = topic => topic === 'b';
     broker.answered = topic => asked.push(topic);
     const cell = await linkTo(t, broker, ['a', 'b']);
     const isRefused = () => cell.named('subscriptionRefused').at(-1)?.[1] ?? null;
     await until(() => isRefused() !== null && asked.length === 2, () => JSON.stringify(cell.heard));
 
-    repeat();
+    repeat(mock);
     await until(() => cell.named('refused').length === 2, () => JSON.stringify(cell.heard));
     broker.refuses = () => false;
-    repeat();
+    repeat(mock);
     await until(() => isRefused() === null, () => JSON.stringify(cell.heard));
 
     assert.deepEqual(asked, ['a', 'b', 'b', 'b']);
     assert.deepEqual([...new Set(cell.named('refused').map(([, topic]) => topic))], ['b']);
+  });
+
+  it('Adapter_SubscriptionRefusedThenAccepted_ItsValuesWaitForAMessage', async t => {
+    const [broker, bridge] = await Promise.all([RefusingBroker.start(t), RosbridgeDouble.start(t, { now: clockAhead(0) })]);
+    const { mock } = t.mock.method(globalThis, 'setInterval'), rest = 'joints: [{ joint: a, topic: b }]\nsignals: [{ signal: s, topic: b }]\n';
+    start(t, [temporaryFile('mqtt.yaml', configuration(bridge.url, broker.url, { rest }))]);
+    const reached = reason => until(
+      () => bridge.joint('a')?.reason.startsWith(reason) && bridge.state['signal/s']?.includes(reason), () => JSON.stringify(bridge.state));
+    await reached('the broker refuses the subscription to b');
+
+    broker.refuses = () => false;
+    repeat(mock);
+
+    await reached(mqttMessages.accepted('b'));
+    assert.deepEqual([bridge.joint('a').state, bridge.state['reason/a']], ['missing', 'not-connected']);
   });
 
   it('Link_StoppedWhileTheBrokerDoesNotRespond_EndsAfterTheGoodbye', async t => {
