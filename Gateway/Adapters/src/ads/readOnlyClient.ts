@@ -7,6 +7,7 @@ const MAX_FRAME = 16 * 1024 * 1024;
 const TIMEOUT_MS = 1500;
 const CHECK_MS = 500;
 const DOWN_MS = 1000;
+const MAX_DELETIONS = 1024;
 
 const { ADS_COMMAND: COMMAND, ADS_RESERVED_INDEX_GROUPS: GROUP } = ADS;
 const READING: number[] = [COMMAND.ReadDeviceInfo, COMMAND.Read, COMMAND.ReadState, COMMAND.AddNotification, COMMAND.DeleteNotification];
@@ -20,6 +21,7 @@ interface Hidden {
   receiveBuffer: Buffer;
   handleReceivedData(): void;
   parseAmsTcpPacket(data: Buffer): void;
+  parseAdsResponse(packet: AmsTcpPacket, data: Buffer): unknown;
   parseAdsNotification(data: Buffer): unknown;
   onPlcSymbolVersionChanged(data: Buffer | { value: Buffer }): void;
   deleteNotificationHandle(handle: number, from: AmsAddress): Promise<unknown>;
@@ -31,8 +33,11 @@ export class ReadOnlyClient extends Client {
   onSamples: (samples: StampedSamples[]) => void = () => {};
   /** Number of subscriptions without a response. */
   #subscribing = 0;
-  /** Deletions without a response, by handle, so that each further notification does not request the same deletion. */
-  readonly #deletions = new Map<number, Promise<unknown>>();
+  /**
+   * Deletions of unknown handles, by address and handle, that have no response or failed, so that each further notification does not request the same
+   * deletion.
+   */
+  readonly #deletions = new Map<string, Promise<unknown>>();
 
   constructor(endpoint: AdsEndpoint, local: { netId: string; port: number } | null) {
     super({
@@ -52,10 +57,24 @@ export class ReadOnlyClient extends Client {
     const taken = hidden.parseAmsTcpPacket.bind(this);
     const received = hidden.handleReceivedData.bind(this);
     const deleted = hidden.deleteNotificationHandle.bind(this);
+    const answered = hidden.parseAdsResponse.bind(this);
     hidden.deleteNotificationHandle = (handle, from) => {
-      const deletion = this.#deletions.get(handle) ?? deleted(handle, from).finally(() => this.#deletions.delete(handle));
-      this.#deletions.set(handle, deletion);
+      const address = `${from.amsNetId}:${from.adsPort}`;
+      const key = `${address}/${handle}`;
+      if (this.activeSubscriptions[address]?.[handle] !== undefined) return deleted(handle, from);
+      const before = this.#deletions.get(key);
+      if (before !== undefined) return before;
+      if (this.#deletions.size >= MAX_DELETIONS) this.#deletions.clear();
+      const deletion = deleted(handle, from).then(() => this.#deletions.delete(key));
+      this.#deletions.set(key, deletion);
       return deletion;
+    };
+    // A PLC sends the notifications of all clients of a machine over one connection. ads-client does not compare the AMS port, so it would take a
+    // notification of another client for one of its own, or delete it.
+    hidden.parseAdsResponse = (packet, data) => {
+      const { adsCommand, targetAmsAddress } = packet.ams;
+      const isOther = adsCommand === COMMAND.Notification && targetAmsAddress.adsPort !== this.connection.localAdsPort;
+      return isOther ? { payload: { stamps: [] } } : answered(packet, data);
     };
     hidden.parseAdsNotification = data => {
       this.onSamples(parseStream(data));
