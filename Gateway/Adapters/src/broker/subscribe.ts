@@ -4,7 +4,7 @@ import { JointNames, type OutJoint } from '../ros/jointNames';
 import { JointStates } from '../ros/jointStates';
 import { SetPoints } from '../ros/setPoints';
 import { passedTrajectory } from '../ros/trajectory';
-import { placeOf } from '../sockets';
+import { afterArrivals, placeOf } from '../sockets';
 import { ALIVE, below, BrokerLink, DESCRIPTION, type Presence, STATES, STATUS, TRAJECTORY } from './brokerLink';
 import { kindOf } from './objectTopics';
 import { ReceivedObjects } from './receivedObjects';
@@ -63,10 +63,13 @@ export async function subscribe(
   let absence = '';
   /** Whether the publishing bridge and its gateway are connected. */
   let isPresent = false;
-  /** Ends the trust in the presence. */
-  let expiry: NodeJS.Timeout | undefined;
+  /** Cancels the end of the trust in the presence. */
+  let keepPresence = (): void => {};
+  /** Whether the trust has ended without a message of the publishing bridge, which then does not send its values again. */
+  let isExpired = false;
   const broker = new BrokerLink(settings, configuration.plant.name, [...take.keys(), ...objects.topics, ALIVE], {
     opened: () => {
+      isExpired = false;
       refusal = null;
       absence = brokerMessages.noPublisher(settings.topic);
       status.enter('waiting', absence);
@@ -95,15 +98,20 @@ export async function subscribe(
   });
 
   function enter(presence: string): void {
-    clearTimeout(expiry);
+    keepPresence();
     if (presence !== ('true' satisfies Presence))
       return withdraw(presence === ('no gateway' satisfies Presence) ? brokerMessages.gatewayAway : brokerMessages.bridgeAway);
     // No will arrives for a bridge that has not returned since the broker was off, or if another broker forwards its messages and is cut off.
-    expiry = setTimeout(() => withdraw(brokerMessages.bridgeSilent(MAX_SILENCE_MS / 1000)), MAX_SILENCE_MS);
+    keepPresence = afterArrivals(MAX_SILENCE_MS, () => {
+      isExpired = true;
+      withdraw(brokerMessages.bridgeSilent(MAX_SILENCE_MS / 1000));
+    });
     // Only once, because a state with a reason puts each joint and signal in fault until its next value.
     if (isPresent) return;
     isPresent = true;
     showState();
+    if (isExpired) broker.subscribeAgain();
+    isExpired = false;
   }
 
   // Also applies the reported states with a refused subscription, because the messages on the other topics arrive.
@@ -122,7 +130,7 @@ export async function subscribe(
   }
 
   function leave(): void {
-    clearTimeout(expiry);
+    keepPresence();
     isPresent = false;
     reported.leave();
     objects.leave();
@@ -142,7 +150,7 @@ export async function subscribe(
   }, CHECK_MS);
   const invalid = (reason: string): void => status.count(reason);
   await Promise.all([broker.run(stopping), runUpstreamClock(upstream, clock, log, stopping, { invalid, read: clockRead })]);
-  clearTimeout(expiry);
+  keepPresence();
   clearInterval(checks);
 }
 
