@@ -241,7 +241,7 @@ namespace Nowpose.Signals
                 var dropped = isOldest ? change : _changes[oldest];
                 ref var next = ref _changes[isOldest ? oldest : oldest + 1];
                 // A measured value that stays on one side has not switched unnoticed.
-                if (dropped.IsResumed || IsOn(dropped.Value) != IsOn(Value) || IsOn(dropped.Value) != IsOn(next.Value)) next.Resume();
+                if (dropped.IsResumed || IsOn(dropped.Value) != IsOn(Value)) next.Resume();
                 Overflowed?.Invoke(this);
                 if (isOldest) return place;
                 Remove(oldest);
