@@ -17,7 +17,8 @@ namespace Nowpose.Messages
             "its description differs from that of the gateway, so the pose may be wrong; use the gateway's description on this headset";
 
         public const string StampsAhead =
-            "the time stamps of the joint positions are ahead of the control clock, so the robot is shown too late; set the clock of their source";
+            "the time stamps of the joint positions are ahead of the control clock, so the robot is shown too late or not at all; set the clock of their "
+            + "source";
 
         /// <summary>Reason of a joint.</summary>
         public const string SamplesTooOld = "its samples arrive too late to be displayed; check the clock of its source";

@@ -29,7 +29,7 @@ namespace Nowpose.Session
         public JointBeyondLimits BeyondLimits { get; set; }
 
         /// <summary>
-        /// Whether time stamps of the joint positions are ahead of the control clock, so that the robot is displayed too late.
+        /// Whether time stamps of the joint positions are ahead of the control clock, so that the robot is displayed too late or not at all.
         /// </summary>
         public bool AreStampsAhead { get; set; }
 
