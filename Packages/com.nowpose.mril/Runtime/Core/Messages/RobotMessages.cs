@@ -21,7 +21,7 @@ namespace Nowpose.Messages
             + "source";
 
         /// <summary>Reason of a joint.</summary>
-        public const string SamplesTooOld = "its samples arrive too late to be displayed; check the clock of its source";
+        public const string SamplesTooOld = "its samples arrive too late to be displayed; check the network and the clock of its source";
 
         public static string OfRobot(string robot, string fault) => $"robot {robot}: {fault}";
 
