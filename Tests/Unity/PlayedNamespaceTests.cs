@@ -104,6 +104,20 @@ public class PlayedNamespaceTests : PlayedParts
         Assert.That(_cell.Messages, Has.Exactly(1).Contains(RobotMessages.OfRobot("arm2", found.Words)));
     }
 
+    [Test]
+    public void Rig_WithNamespaceWhoseStampsGetAheadByMoreThanASecond_ReportsTheStampsInsteadOfJointsWithoutData()
+    {
+        Second(RobotFiles.LoadText("ur5"));
+        var joints = RobotFiles.Load("ur5").MovingJoints.Select(joint => joint.Name).ToArray();
+        void Send(double t, double ahead) => _session.Session.Listener.Received(
+            new JointStateMessage(At(t + ahead), joints, [.. joints.Select(_ => 0.1)]), HeadsetTime.FromSeconds(1000 + t + Latency), "arm2");
+
+        Run(2, t => Send(t, 0));
+        Run(3, t => Send(t, 2));
+
+        Assert.That(FaultsNow(), Is.EqualTo(RobotMessages.OfRobot("arm2", RobotMessages.StampsAhead)));
+    }
+
     // The poses of the last session remain where they were, but nothing reports whether they are still right.
     [Test]
     public void CellParts_SessionHasEnded_AreNotCurrent()

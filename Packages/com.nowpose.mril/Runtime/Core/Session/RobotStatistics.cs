@@ -33,8 +33,11 @@ namespace Nowpose.Session
         /// </summary>
         public bool AreStampsAhead { get; set; }
 
+        /// <summary>Message about the time stamps of the samples; null if nothing is wrong with them. It can be the reason of joints without data.</summary>
+        public string StampProblem => AreStampsAhead ? RobotMessages.StampsAhead : null;
+
         /// <summary>Message about the content of the samples; null if nothing is wrong with it.</summary>
-        public string SampleProblem => BeyondLimits?.Words ?? (AreStampsAhead ? RobotMessages.StampsAhead : null);
+        public string SampleProblem => BeyondLimits?.Words ?? StampProblem;
 
         /// <summary>Number of used messages.</summary>
         public long Samples { get; set; }

@@ -2,6 +2,7 @@ using System;
 using Nowpose.Latency;
 using Nowpose.Messages;
 using Nowpose.Network;
+using Nowpose.Protocol;
 using Nowpose.Session;
 using Nowpose.Unity.Status;
 using NUnit.Framework;
@@ -33,6 +34,18 @@ namespace Nowpose.Tests.Unity.Status
 
             Assert.That(texts.ValueOf(StatusRow.Message).Replace('\n', ' '), Is.EqualTo("! " + RobotMessages.StampsAhead));
             Assert.That(texts.ValueOf(StatusRow.ApplicationLatency), Is.EqualTo("! −360 ms"));
+        }
+
+        // Samples that are ahead by more than 1 s are dropped, so that the joints have no data.
+        [TestCase(JointDataState.Stale)]
+        [TestCase(JointDataState.Missing)]
+        public void Update_StampsAheadAndJointsWithoutData_ShowsTheActionToTake(JointDataState state)
+        {
+            var statistics = new SessionStatistics();
+            statistics.OwnRobot.AreStampsAhead = true;
+            statistics.OwnRobot.JointStatuses.Add(new JointStatus("shoulder", state, null, null, ""));
+
+            Assert.That(MessageOf(statistics), Is.EqualTo("! " + RobotMessages.StampsAhead));
         }
 
         [TestCase(RangeUnknownReason.LongerThanRefresh, true, true)]
