@@ -91,7 +91,7 @@ namespace Nowpose.Session
             yield return "the pose is " + PoseOf(statistics);
             if (statistics.FramesMissingFor is TimeSpan length) yield return DisplayMessages.NoFrames(length);
             if (missing.Length > 0) yield return "missing joints: " + missing;
-            foreach (var robot in statistics.Robots) yield return robot.OtherNamespaces ?? (robot.AreStampsAhead ? RobotMessages.StampsAhead : null);
+            foreach (var robot in statistics.Robots) yield return robot.OtherNamespaces ?? Named(robot, robot.StampProblem);
         }
 
         static IEnumerable<string> NotCurrent(CellFaults cell)
@@ -104,13 +104,15 @@ namespace Nowpose.Session
         {
             yield return UncertainJoints(statistics);
             yield return DisplayMessages.ProblemOf(statistics);
-            foreach (var robot in statistics.OtherRobots)
-                if (robot.SampleProblem is { } problem) yield return RobotMessages.OfRobot(robot.Namespace, problem);
+            foreach (var robot in statistics.OtherRobots) yield return Named(robot, robot.SampleProblem);
             if (statistics.RobotDescriptionMatch == RobotDescriptionMatch.Different) yield return RobotMessages.DescriptionDiffers;
             foreach (var robot in statistics.OtherRobots)
                 if (robot.DescriptionMatch == RobotDescriptionMatch.Different)
                     yield return RobotMessages.OfRobot(robot.Namespace, RobotMessages.DescriptionDiffers);
         }
+
+        static string Named(RobotStatistics robot, string problem) =>
+            problem == null || robot.Namespace.Length == 0 ? problem : RobotMessages.OfRobot(robot.Namespace, problem);
 
         static string PoseOf(SessionStatistics statistics) => PoseStateName.Of(statistics.WorstPose, statistics.IsClockCoarse);
 

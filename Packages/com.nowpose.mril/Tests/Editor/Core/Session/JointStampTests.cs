@@ -76,17 +76,32 @@ namespace Nowpose.Tests.Core.Session
         public void Diagnostics_StampsOfAnotherRobotAhead_NameTheRobot()
         {
             var simulated = Running(0);
+            RunWithSecondRobot(simulated, ahead: 0.15);
+
+            Assert.That(StatisticsOf(simulated).WorstPose, Is.EqualTo(PoseState.Current));
+            Assert.That(MessageOf(simulated).Message, Is.EqualTo(RobotMessages.OfRobot("arm2", RobotMessages.StampsAhead)));
+        }
+
+        [Test]
+        public void Diagnostics_PoseIsNotCurrentBecauseStampsOfAnotherRobotAreAhead_NameTheRobot()
+        {
+            var simulated = Running(0);
+            RunWithSecondRobot(simulated, ahead: 1.5);
+
+            Assert.That(StatisticsOf(simulated).WorstPose, Is.EqualTo(PoseState.Incomplete));
+            Assert.That(MessageOf(simulated).Message, Does.EndWith("; " + RobotMessages.OfRobot("arm2", RobotMessages.StampsAhead)));
+        }
+
+        static void RunWithSecondRobot(SimulatedSession simulated, double ahead)
+        {
             var second = simulated.Session.Robots.Add("arm2", TestRobot.Model);
             for (var i = 0; i < 60; i++)
             {
                 second.Intake.Add(
-                    new JointStateMessage(ControlNow(simulated) + Lengths.Ms(150), new[] { "shoulder", "elbow" }, new[] { 0.01 * i, 0.01 * i }),
+                    new JointStateMessage(ControlNow(simulated) + Lengths.Seconds(ahead), new[] { "shoulder", "elbow" }, new[] { 0.01 * i, 0.01 * i }),
                     HeadsetTime.FromSeconds(simulated.Now));
                 simulated.Run(0.05);
             }
-
-            Assert.That(StatisticsOf(simulated).WorstPose, Is.EqualTo(PoseState.Current));
-            Assert.That(MessageOf(simulated).Message, Is.EqualTo(RobotMessages.OfRobot("arm2", RobotMessages.StampsAhead)));
         }
 
         [Test]
