@@ -93,8 +93,8 @@ namespace Nowpose.Session
             return newest;
         }
 
-        /// <summary>Returns whether samples of a joint have arrived in the last second that were already too old to be displayed.</summary>
-        public bool ReceivesOldSamples(int joint) => _displayed - _oldArrivals[joint].Before <= 1;
+        /// <summary>Returns whether at least two samples of a joint have arrived in the last 3 s that were already too old to be displayed.</summary>
+        public bool ReceivesOldSamples(int joint) => _displayed - _oldArrivals[joint].Before <= 3;
 
         /// <summary>
         /// Raised within <see cref="Add"/> with the index of a joint whose earlier samples were removed, because the clock of the samples went back or the newest

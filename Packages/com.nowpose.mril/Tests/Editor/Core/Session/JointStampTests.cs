@@ -135,15 +135,32 @@ namespace Nowpose.Tests.Core.Session
         }
 
         [Test]
+        public void Statistics_OldSamplesOfASlowSource_ReportTheSameReasonUntilTheNext()
+        {
+            var simulated = new SimulatedSession(NetworkProfile.Lan, Seed) { IsSamplingByTest = true };
+            simulated.Run(5);
+            var reasons = new List<string>();
+
+            for (var step = 0; step < 100; step++)
+            {
+                if (step % 7 == 0) foreach (var joint in new[] { "shoulder", "elbow" }) Receive(simulated, joint, age: 10);
+                simulated.Run(0.1);
+                if (step > 20) reasons.AddRange(StatisticsOf(simulated).JointStatuses.Select(joint => joint.Reason));
+            }
+
+            Assert.That(reasons, Has.Count.EqualTo(158).And.All.EqualTo(RobotMessages.SamplesTooOld));
+        }
+
+        [Test]
         public void Statistics_OldSamplesStop_ReportNoDataSinceTheNewestStamp()
         {
             var simulated = Running(-10);
 
             simulated.IsGatewayUp = false;
-            simulated.Run(1.2);
+            simulated.Run(3.2);
 
             Assert.That(StatisticsOf(simulated).JointStatuses.Select(joint => joint.Reason), Is.All.Empty);
-            Assert.That(StatisticsOf(simulated).JointStatuses.Select(joint => joint.Age.Value.TotalSeconds), Is.All.InRange(11, 11.3));
+            Assert.That(StatisticsOf(simulated).JointStatuses.Select(joint => joint.Age.Value.TotalSeconds), Is.All.InRange(13, 13.3));
         }
 
         // The gateway sends the newest sample of a joint again after a reconnection.
