@@ -163,6 +163,8 @@ namespace Nowpose.Session
             SampleTaken?.Invoke(arrival, isMeasured ? _latency.Newest : (TimeSpan?)null);
         }
 
+        // Samples with right stamps do not end the series, because a robot may have several sources with different clocks. A single source with a wrong
+        // stamp every 2 s therefore counts as ahead too.
         void CountAhead(HeadsetTime arrival)
         {
             if (!(arrival - _newestAhead <= TimeUntilAhead)) _aheadSince = arrival;

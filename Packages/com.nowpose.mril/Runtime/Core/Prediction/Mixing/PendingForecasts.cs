@@ -77,7 +77,7 @@ namespace Nowpose.Prediction.Mixing
             for (; _count > 0 && _pending[0].Due <= motion.NewestTime; DropFirst())
             {
                 var expected = _pending[0];
-                // In a long interval, a motion can start and end.
+                // In a long interval, a motion can start and end. After a gap, the interval is 0, but the list was cleared before.
                 if (motion.Timing.IsAfterPause || !(interval < ForecastTable.Span) || expected.Due < motion.PreviousTime) continue;
                 var fraction = (expected.Due - motion.PreviousTime) / interval;
                 for (var c = 0; c < _components; c++) _truth[c] = motion.Newest[c] + motion.Displacements[_components + c] * (1 - fraction);
