@@ -78,8 +78,10 @@ namespace Nowpose.Tests.Unity
                 if (!File.Exists(path)) return;
                 var lines = File.ReadAllLines(path);
                 var asset = _settings.ToSettings(lines.Length > 2 ? lines[2] : null);
+                var connection = asset.Connection;
                 _session.Settings = asset.With(new ConnectionSettings(
-                    lines[0], pin: CertificatePin.Parse(lines[1]), token: asset.Connection.Token, headsetName: asset.Connection.HeadsetName));
+                    lines[0], connection.SyncPort, connection.WebSocketPort, CertificatePin.Parse(lines[1]), token: connection.Token,
+                    headsetName: connection.HeadsetName, publishesDisplayed: connection.PublishesDisplayed, clockSource: connection.ClockSource));
             }
         }
 
