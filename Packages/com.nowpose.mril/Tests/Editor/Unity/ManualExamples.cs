@@ -57,6 +57,7 @@ namespace Nowpose.Tests.Unity
         {
             var made = Object.Instantiate(model, anchor.transform);
             made.AddComponent<TrackedObject>().Follow(session, "workpiece_7");
+            made.SetActive(true);
         }
 
         internal static void MoveWithoutASession(RobotRig rig, RobotDescriptionAsset asset)
