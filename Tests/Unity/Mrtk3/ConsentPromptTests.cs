@@ -94,8 +94,9 @@ public sealed class ConsentPromptTests
         head.position = new Vector3(3, 1.6f, 2);
         _codes.Texts.Add(new CellCode("desk", "127.0.0.1", null, MarkerOffset.Parse("0.5,0,0", ""), 0.1, 1, 1).Text);
 
-        while (!_content.activeSelf) Run(1);
+        for (var frame = 0; frame < 600 && !_content.activeSelf; frame++) Run(1);
 
+        Assert.That(_content.activeSelf);
         Assert.That(Vector3.Distance(_content.transform.position, head.position), Is.EqualTo(1.3f).Within(1e-4));
     }
 
@@ -119,7 +120,7 @@ public sealed class ConsentPromptTests
         _pairing.Refuse();
         _codes.Texts.Clear();
         _codes.Texts.Add(new CellCode("wall", "127.0.0.1", null, null, 0, 2, 2).Text);
-        while (_pairing.Question == null) Run(1);
+        for (var frame = 0; frame < 600 && _pairing.Question == null; frame++) Run(1);
 
         _accept.Enter();
         _accept.Exit();
