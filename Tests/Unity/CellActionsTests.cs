@@ -248,4 +248,17 @@ public sealed class CellActionsTests
         Assert.That(_cell.Messages, Has.Some.Contains(ComponentMessages.NoAction("Buttons", "ghost")));
         Assert.That(lone.Opacity, Is.EqualTo(1));
     }
+
+    [Test]
+    public void Changed_ListenerThrows_CallsTheLaterOnes()
+    {
+        var calls = 0;
+        _actions.Changed += () => throw new InvalidOperationException();
+        _actions.Changed += () => calls++;
+
+        _actions.ToggleConnected();
+        Run(0.1);
+
+        Assert.That(calls, Is.EqualTo(1));
+    }
 }

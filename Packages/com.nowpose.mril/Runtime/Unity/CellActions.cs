@@ -43,6 +43,7 @@ namespace Nowpose.Unity
         [SerializeField, Tooltip("Material of the parts that hide objects behind the real arm. Empty: the arm material of the displayed rig.")]
         Material _occluder = null;
 
+        readonly Listeners<Action> _changed = new Listeners<Action>();
         readonly VisualisationNudge _nudge = new VisualisationNudge();
         readonly Occlusion _occlusion = new Occlusion();
         readonly CellGhosts _ghosts = new CellGhosts();
@@ -50,7 +51,7 @@ namespace Nowpose.Unity
         (bool, bool, bool, bool, float, float, bool) _lastRaised;
 
         /// <summary>Raised when one or more properties of this class have changed; at most once per frame.</summary>
-        public event Action Changed;
+        public event Action Changed { add => _changed.Add(value); remove => _changed.Remove(value); }
 
         /// <summary>Whether a connection is requested. It may not be established yet; the status panel shows its state.</summary>
         public bool IsConnecting => Session is MrilSession session && session.IsConnecting;
@@ -218,7 +219,7 @@ namespace Nowpose.Unity
             var state = State;
             if (state == _lastRaised) return;
             _lastRaised = state;
-            Changed?.Invoke();
+            _changed.Raise(this);
         }
 
         (bool, bool, bool, bool, float, float, bool) State =>

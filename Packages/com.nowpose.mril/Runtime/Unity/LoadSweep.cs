@@ -77,6 +77,7 @@ namespace Nowpose.Unity
         MrilSession _source;
         LoadGenerator _generator;
         RenderTimeSource _measures;
+        readonly Listeners<Action> _progressed = new Listeners<Action>();
         SweepPlan _plan;
         SweepRun _run;
         SweepFile _file;
@@ -89,7 +90,7 @@ namespace Nowpose.Unity
         (int Index, int Phase) _logged;
 
         /// <summary>Raised when <see cref="Words"/> changes.</summary>
-        public event Action Progressed;
+        public event Action Progressed { add => _progressed.Add(value); remove => _progressed.Remove(value); }
 
         /// <summary>Whether a sweep is running.</summary>
         public bool IsRunning => _run != null;
@@ -113,9 +114,7 @@ namespace Nowpose.Unity
         public void StartSweep()
         {
             if (IsRunning || !isActiveAndEnabled) return;
-            _judging = null;
-            Verdict = null;
-            Problem = null;
+            (_judging, Verdict, Problem) = (null, null, null);
             _source = this.SessionOr(_session);
             _generator = _load != null ? _load : GetComponentInChildren<LoadGenerator>(true);
             _measures = _renderTime != null ? _renderTime : _source != null ? _source.GetComponentInChildren<RenderTimeSource>() : null;
@@ -288,7 +287,7 @@ namespace Nowpose.Unity
         {
             Words = words;
             if (_text != null) _text.text = words;
-            Progressed?.Invoke();
+            _progressed.Raise(this);
         }
 
         void Fail(string what)
