@@ -172,4 +172,17 @@ public sealed class QrMarkerManagerTests
         Assert.That(manager.subsystem, Is.SameAs(codes));
         Assert.That(_played.Markers.Problem, Is.Null);
     }
+
+    [Test]
+    public void Manager_ComponentDisabled_ObjectsOfItsCodesAreDestroyed()
+    {
+        _played.Report();
+        _played.Cell.Frame(_played.Session);
+        var code = Object.FindObjectsOfType<ARMarker>().Single();
+
+        _played.Markers.enabled = false;
+        _played.Cell.Frame(_played.Session);
+
+        Assert.That(code == null);
+    }
 }

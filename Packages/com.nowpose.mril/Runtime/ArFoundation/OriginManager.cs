@@ -88,10 +88,13 @@ namespace Nowpose.ArFoundation
         }
 
         /// <summary>Removes the manager if this object added it. The next <see cref="Follow"/>, also that of another object, adds it again.</summary>
-        public void Remove()
+        /// <returns>Whether the manager is removed. Until the end of the frame, it still has its trackables, which the caller must destroy.</returns>
+        public bool Remove()
         {
             IsRunning = false;
-            if (_isOurs && Manager != null) UnityEngine.Object.Destroy(Manager);
+            if (!_isOurs || Manager == null) return false;
+            UnityEngine.Object.Destroy(Manager);
+            return true;
         }
 
         T FindOrAdd(XROrigin assigned)

@@ -64,8 +64,10 @@ namespace Nowpose.OpenXR
 
         void OnDisable()
         {
-            _codes.Remove();
             _records.Clear();
+            if (!_codes.Remove()) return;
+            foreach (var code in _codes.Manager.trackables)
+                if (code != null) Destroy(code.gameObject);
         }
 
         void Update()
