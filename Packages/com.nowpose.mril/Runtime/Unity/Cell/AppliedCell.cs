@@ -25,7 +25,6 @@ namespace Nowpose.Unity.Cell
             if (session.Settings == null) return false;
             var publishesDisplayed = session.Settings.Connection.PublishesDisplayed;
             session.Settings = session.Settings.With(cell.Newest.ToConnection(cell.Token, headsetName, publishesDisplayed));
-            // The field is assigned before the call, because a listener of the session's events may throw after the session has connected.
             _connected = cell;
             session.Connect();
             return true;

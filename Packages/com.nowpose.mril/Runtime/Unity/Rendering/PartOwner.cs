@@ -24,6 +24,7 @@ namespace Nowpose.Unity.Rendering
                 foreach (var each in Found)
                     if (each.IsOwner) owner = each;
             }
+            Found.Clear();
             return owner == appearance;
         }
     }
