@@ -4,11 +4,14 @@ namespace UnityEngine.InputSystem;
 public sealed class InputAction : IDisposable
 {
     readonly List<string> _paths = new List<string>();
+    readonly InputActionType _type;
+    int _enabledAt;
 
     public InputAction(
         string name = null, InputActionType type = default, string binding = null, string interactions = null, string processors = null,
         string expectedControlType = null)
     {
+        _type = type;
         if (!string.IsNullOrEmpty(binding)) _paths.Add(binding);
     }
 
@@ -19,7 +22,11 @@ public sealed class InputAction : IDisposable
 
     internal void Bind(string path) => _paths.Add(path);
 
-    public void Enable() => enabled = true;
+    public void Enable()
+    {
+        enabled = true;
+        _enabledAt = Time.frameCount;
+    }
 
     public void Disable() => enabled = false;
 
@@ -36,9 +43,15 @@ public sealed class InputAction : IDisposable
         since = -1;
         if (!enabled) return default;
         foreach (var path in _paths)
-            if (Controls.TryGet(path, out var value, out since) && value is TValue found && !found.Equals(default(TValue))) return found;
+        {
+            if (!Controls.TryGet(path, out var value, out since) || !IsSeen(since)) continue;
+            if (value is TValue found && !found.Equals(default(TValue))) return found;
+        }
         return default;
     }
+
+    // An action for a button does not see a button that was already pressed when the action was enabled.
+    bool IsSeen(int since) => _type != InputActionType.Button || since > _enabledAt;
 }
 
 public enum InputActionType

@@ -154,4 +154,19 @@ public sealed class CarriedMarkerTests : AnyOpenXrHeadsetFixture
 
         Assert.That(Marker.IsMoving, Is.False);
     }
+
+    [Test]
+    public void Scripts_EnabledWhileTheHandIsTracked_GripCarriesTheMarker()
+    {
+        MoveHand(new Vector3(0.3f, 1, 0.5f), Quaternion.identity);
+        Run(0.1);
+        var carried = Marker.GetComponent<CarriedMarker>();
+        carried.enabled = false;
+        carried.enabled = true;
+
+        Controls.Set(Grip, true);
+        Run(0.1);
+
+        Assert.That(Marker.IsMoving);
+    }
 }

@@ -38,7 +38,8 @@ namespace Nowpose.Samples
             _marker = GetComponent<HandPlacedMarker>();
             _position = Enabled(new InputAction(binding: _controller + "/devicePosition", expectedControlType: "Vector3"));
             _rotation = Enabled(new InputAction(binding: _controller + "/deviceRotation", expectedControlType: "Quaternion"));
-            _tracked = Enabled(new InputAction(type: InputActionType.Button, binding: _controller + "/isTracked"));
+            // Not an action of the type Button, which would not see that the controller is already tracked.
+            _tracked = Enabled(new InputAction(binding: _controller + "/isTracked", expectedControlType: "Button"));
             _held = Enabled(new InputAction(type: InputActionType.Button, binding: _grip));
         }
 
