@@ -7,7 +7,7 @@ namespace UnityEngine.InputSystem.XR;
 [Serializable]
 public class TrackedPoseDriver : MonoBehaviour
 {
-    const int PositionAndRotation = 3;
+    const int Position = 1, Rotation = 2;
 
     InputActionProperty _position, _rotation, _trackingState;
     bool? _hadDevice;
@@ -34,15 +34,15 @@ public class TrackedPoseDriver : MonoBehaviour
     {
         if (_position.action == null || _rotation.action == null) return;
         _hadDevice ??= _position.action.HasControl && _rotation.action.HasControl;
-        if (_trackingState.action == null ? !_hadDevice.Value : IsUntracked(_trackingState.action)) return;
+        if (_trackingState.action == null && !_hadDevice.Value) return;
         var rotation = _rotation.action.ReadValue<Quaternion>();
         if (rotation == default) return;
-        transform.localPosition = _position.action.ReadValue<Vector3>();
-        transform.localRotation = rotation;
+        if (IsTracked(Position)) transform.localPosition = _position.action.ReadValue<Vector3>();
+        if (IsTracked(Rotation)) transform.localRotation = rotation;
     }
 
     // A device that does not report its tracking state counts as tracked.
-    static bool IsUntracked(InputAction state) => state.HasControl && (state.ReadValue<int>() & PositionAndRotation) != PositionAndRotation;
+    bool IsTracked(int part) => _trackingState.action?.HasControl != true || (_trackingState.action.ReadValue<int>() & part) != 0;
 
     static void Bind(ref InputActionProperty bound, InputActionProperty value)
     {
