@@ -72,7 +72,8 @@ namespace Nowpose.Unity
         readonly AppearancesOfParts _appearances = new AppearancesOfParts();
         SignalFollower _follower;
         bool? _isOn;
-        string _disabled;
+        // Otherwise, Unity saves it when it recompiles scripts in play mode, and makes an empty text of null.
+        [NonSerialized] string _disabled;
 
         /// <summary>Name of the signal.</summary>
         public string Signal => _follower != null ? _follower.Name : string.IsNullOrEmpty(_signal) ? name : _signal;

@@ -33,7 +33,8 @@ namespace Nowpose.Unity
         Transform _flange;
         FingerDrive[] _drives = Array.Empty<FingerDrive>();
         MrilSession _listedBy;
-        string _fault, _title;
+        // Otherwise, Unity saves them when it recompiles scripts in play mode, and makes an empty text of null.
+        [NonSerialized] string _fault, _title;
 
         /// <summary>The rig that the gripper follows; null if it follows none.</summary>
         public RobotRig Rig => _source;
