@@ -105,7 +105,7 @@ namespace Nowpose.Tests.Core.Signals
         // A measured width changes with each message. Only a change to the other side of 0.5 opens or closes the gripper.
         [TestCase(0.9, -1, false)]
         [TestCase(0.9, 5, true)]
-        [TestCase(0.9, 36, false)]
+        [TestCase(0.9, 37, false)]
         [TestCase(0.4, 99, true)]
         public void Next_ValuesAreDroppedBecauseTooManyWait_IsResumedIfTheGripperMayHaveSwitched(double next, int switched, bool isResumed)
         {
