@@ -43,6 +43,7 @@ namespace Nowpose.Tests.Unity.Status
         {
             var statistics = new SessionStatistics();
             statistics.OwnRobot.AreStampsAhead = true;
+            statistics.OwnRobot.Samples = 1;
             statistics.OwnRobot.JointStatuses.Add(new JointStatus("shoulder", state, null, null, ""));
 
             Assert.That(MessageOf(statistics), Is.EqualTo("! " + RobotMessages.StampsAhead));
