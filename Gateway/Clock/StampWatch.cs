@@ -33,10 +33,7 @@ sealed class StampWatch(
     /// <summary>Minimum number of samples in the evaluated interval for a conclusion.</summary>
     internal const int MinSamples = 5;
 
-    /// <summary>Maximum time by which a plausible stamp may be in the future. Two clocks synchronised by NTP differ by less.</summary>
-    static readonly TimeSpan MaxAhead = TimeSpan.FromMilliseconds(50);
-
-    /// <summary>The same for a source that offers its clock. The rounding of a stamp may be its only error.</summary>
+    /// <summary><see cref="StampRule.PlausibleAhead"/> for a source that offers its clock. The rounding of a stamp may be its only error.</summary>
     static readonly TimeSpan MaxAheadOfOffered = TimeSpan.FromMilliseconds(5);
 
     /// <summary>Maximum age of the samples of a live source.</summary>
@@ -87,7 +84,7 @@ sealed class StampWatch(
         // A source that offers its clock stamps with no other clock.
         var otherAge = offeredBound == null ? other() - stamp : age;
         var fitsOther = !IsPlausible(age) && IsPlausible(otherAge);
-        var isAhead = age < -(offeredBound + MaxAheadOfOffered ?? MaxAhead + errorBound());
+        var isAhead = age < -(offeredBound + MaxAheadOfOffered ?? StampRule.PlausibleAhead + errorBound());
         lock (_lock)
         {
             if (!_sources.TryGetValue(source, out var stamps))
@@ -150,7 +147,7 @@ sealed class StampWatch(
         }
     }
 
-    static bool IsPlausible(TimeSpan age) => age >= -MaxAhead && age <= MaxAge;
+    static bool IsPlausible(TimeSpan age) => age >= -StampRule.PlausibleAhead && age <= MaxAge;
 
     void MeasureCorrection()
     {

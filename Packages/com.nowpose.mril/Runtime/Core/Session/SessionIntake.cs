@@ -20,9 +20,6 @@ namespace Nowpose.Session
         /// <summary>Queue capacity in plans. Drops the oldest when full, because newer plans replace older plans.</summary>
         const int PlanQueueLength = 16;
 
-        /// <summary>Maximum time by which stamps are ahead of the control clock, in addition to its error bound, as in the gateway.</summary>
-        static readonly TimeSpan MaxAhead = TimeSpan.FromMilliseconds(50);
-
         /// <summary>
         /// Time for which stamps are ahead before this is reported. It is longer than the time in which a step of the control clock is detected.
         /// </summary>
@@ -141,9 +138,9 @@ namespace Nowpose.Session
 
         void Take(in Arrival<JointStateMessage> arrival, in ClockModel clock)
         {
-            var stamp = arrival.Message.Stamp;
-            if (clock.IsKnown && stamp - clock.ToControl(arrival.At) > clock.ErrorBound + MaxAhead) CountAhead(arrival.At);
-            if (clock.IsKnown && StampRule.IsInFuture(stamp, clock.ToControl(arrival.At), clock.ErrorBound))
+            var (stamp, now) = (arrival.Message.Stamp, clock.IsKnown ? clock.ToControl(arrival.At) : default);
+            if (clock.IsKnown && stamp - now > clock.ErrorBound + StampRule.PlausibleAhead) CountAhead(arrival.At);
+            if (clock.IsKnown && StampRule.IsInFuture(stamp, now, clock.ErrorBound))
             {
                 CountDrop(arrival, DropReason.StampInFuture);
                 return;
@@ -159,7 +156,7 @@ namespace Nowpose.Session
                 if (joint >= 0) _newestOfJoints[joint] = arrival.At;
             _hindcast.Add(arrival.Message, joints);
             var isMeasured = clock.IsKnown && !isEarlier;
-            if (isMeasured) _latency.Add(clock.ToControl(arrival.At), stamp);
+            if (isMeasured) _latency.Add(now, stamp);
             SampleTaken?.Invoke(arrival, isMeasured ? _latency.Newest : (TimeSpan?)null);
         }
 
