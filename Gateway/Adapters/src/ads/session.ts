@@ -165,7 +165,7 @@ export class AdsSession {
         confirm: (confirmed, agoMs) => {
           const { now } = clock;
           const others = symbols.flatMap((_, index) => (confirmed.has(index) ? [] : [index]));
-          // While the program is stopped, there is no clock.
+          // While the program is stopped, its clock is unknown.
           if (now === null) return;
           output.hold(now - ofMilliseconds(agoMs + STAMP_LAG_MS + samplingMs), ofMilliseconds(3 * samplingMs), new Set(others));
         },
