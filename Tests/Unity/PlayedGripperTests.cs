@@ -243,6 +243,21 @@ public class PlayedGripperTests
     }
 
     [Test]
+    public void Mount_GripperIsDisabled_FollowsItsRigOnceEnabled()
+    {
+        var gripper = Below<VirtualGripper>("Virtual Gripper", _played.Rig.transform);
+        var other = Below<RobotRig>("Other robot", _played.Session.transform);
+        _played.Play(1);
+        gripper.enabled = false;
+
+        gripper.Mount(other);
+        Assert.That(gripper.Rig, Is.Null);
+        gripper.enabled = true;
+
+        Assert.That(gripper.Rig, Is.SameAs(other));
+    }
+
+    [Test]
     public void Mount_Null_FollowsTheRigOnAParent()
     {
         var gripper = Below<VirtualGripper>("Virtual Gripper", _played.Rig.transform);

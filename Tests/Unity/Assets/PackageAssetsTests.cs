@@ -207,6 +207,7 @@ public sealed class PackageAssetsTests
     public void Gripper_OnTheYoubot_FingersMatchForwardKinematics()
     {
         var (rig, model) = Rig("Nowpose Robot Cell", "Robot");
+        rig = Object.Instantiate(rig);
         var gripper = rig.GetComponentInChildren<VirtualGripper>(true);
         var poses = new ForwardPoses(model);
         var random = new System.Random(21);
@@ -221,6 +222,7 @@ public sealed class PackageAssetsTests
             RequireAt(rig.transform, gripper.transform.Find("Palm/Left Finger"), expected[model.IndexOfLink("gripper_finger_link_l")], "left, seed 21");
             RequireAt(rig.transform, gripper.transform.Find("Palm/Right Finger"), expected[model.IndexOfLink("gripper_finger_link_r")], "right, seed 21");
         }
+        Object.DestroyImmediate(rig.gameObject);
     }
 
     [TestCase("Nowpose Robot Cell")]

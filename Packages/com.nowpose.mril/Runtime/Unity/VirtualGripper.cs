@@ -33,7 +33,6 @@ namespace Nowpose.Unity
         Transform _flange;
         FingerDrive[] _drives = Array.Empty<FingerDrive>();
         MrilSession _listedBy;
-        // Otherwise, Unity saves them when it recompiles scripts in play mode, and makes an empty text of null.
         [NonSerialized] string _fault, _title;
 
         /// <summary>The rig that the gripper follows; null if it follows none.</summary>
@@ -64,12 +63,15 @@ namespace Nowpose.Unity
 
         string ISignalComponent.FaultLabel => ObjectMessages.FingerNotMoved;
 
-        /// <summary>Sets the field Rig, and follows this rig from now on. A script can call this method at any time.</summary>
+        /// <summary>
+        /// Sets the field Rig, and follows this rig from now on; while this component is not active and enabled, from then on. A script can call this
+        /// method at any time.
+        /// </summary>
         /// <param name="rig">The rig whose flange carries the gripper; null to use the rig on a parent.</param>
         public void Mount(RobotRig rig)
         {
             _rig = rig;
-            Attach();
+            if (isActiveAndEnabled) Attach();
         }
 
         /// <summary>

@@ -80,6 +80,7 @@ namespace Nowpose.Tests.Unity
             var isKnown = _session.RobotAsset != null;
             if (isKnown) Assert.That(_session.RobotAsset.Read().SourceHash, Is.EqualTo(_model.SourceHash));
             var positions = RobotPoses.Any(_model, new System.Random(5));
+            _ghost.Visible = true;
             foreach (var rig in _cell.GetComponentsInChildren<RobotRig>(true))
             {
                 var objects = rig.GetComponentsInChildren<Transform>(true).Length;
