@@ -81,7 +81,7 @@ namespace Nowpose.Unity.Cell
             frame.IsSettledLimitedByBase || frame.SettledState == PoseState.Unsynchronised || frame.SettledState == PoseState.OutsideRange
                 ? StatusMessages.ReasonOf(frame.SettledState, frame.IsSettledLimitedByBase) : null;
 
-        string FaultOf(RobotStatistics robot) => robot.OtherNamespaces ?? robot.StampProblem ?? _missingJoints.Of(robot)
+        string FaultOf(RobotStatistics robot) => robot.OtherNamespaces ?? _missingJoints.Of(robot)
             ?? ReasonOf(robot.SettledPose)
             ?? robot.SampleProblem
             ?? (robot.DescriptionMatch == RobotDescriptionMatch.Different ? RobotMessages.DescriptionDiffers : null);

@@ -8,12 +8,16 @@ namespace Nowpose.Unity.Status
 {
     /// <summary>Lists the joints without current data in one line. Creates a new string only when a joint, a state or a reason changes.</summary>
     /// <remarks>
+    /// Samples whose time stamps are too far ahead are dropped. If no joint without data has another reason, the line states this one instead.
+    ///
     /// The line contains the time of day at which a state began. With the age of the state instead, the string would change continuously, and each
     /// new string allocates.
     /// </remarks>
     sealed class JointStatusLine
     {
         static readonly TimeSpan Tolerance = TimeSpan.FromSeconds(1);
+
+        static readonly Predicate<JointStatus> HasNoReason = joint => string.IsNullOrEmpty(joint.Reason);
 
         readonly bool _isOfMissing;
         readonly Func<DateTime> _wallClock;
@@ -45,6 +49,7 @@ namespace Nowpose.Unity.Status
             _chosen.Clear();
             for (var i = 0; i < (robot?.JointStatuses.Count ?? 0); i++)
                 if (IsDescribed(robot.JointStatuses[i], robot.Samples)) _chosen.Add(robot.JointStatuses[i]);
+            if (_isOfMissing && robot?.StampProblem is string problem && _chosen.TrueForAll(HasNoReason)) return problem;
             if (IsSame(isHeld) || (isHeld && _isOfMissing && _chosen.Count == 0)) return _text;
             _described.Clear();
             _described.AddRange(_chosen);

@@ -250,8 +250,7 @@ namespace Nowpose.Unity.Status
         {
             if (statistics == null) return null;
             if (statistics.SyncLink.State == LinkState.Waiting) return statistics.SyncLink.Detail;
-            return statistics.SampleLink.State == LinkState.Waiting ? statistics.SampleLink.Detail
-                : statistics.OwnRobot.OtherNamespaces ?? statistics.OwnRobot.StampProblem;
+            return statistics.SampleLink.State == LinkState.Waiting ? statistics.SampleLink.Detail : statistics.OwnRobot.OtherNamespaces;
         }
     }
 }

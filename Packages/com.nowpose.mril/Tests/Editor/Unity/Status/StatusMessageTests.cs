@@ -49,6 +49,18 @@ namespace Nowpose.Tests.Unity.Status
             Assert.That(MessageOf(statistics), Is.EqualTo("! " + RobotMessages.StampsAhead));
         }
 
+        [Test]
+        public void Update_StampsAheadAndJointWithAReason_ShowsTheJointAndItsReason()
+        {
+            var statistics = new SessionStatistics();
+            statistics.OwnRobot.AreStampsAhead = true;
+            statistics.OwnRobot.Samples = 1;
+            statistics.OwnRobot.JointStatuses.Add(new JointStatus("shoulder", JointDataState.Missing, null, null, "node deleted"));
+            statistics.OwnRobot.JointStatuses.Add(new JointStatus("elbow", JointDataState.Stale, null, null, ""));
+
+            Assert.That(MessageOf(statistics), Does.Contain("shoulder").And.Contain("node deleted").And.Contain("elbow"));
+        }
+
         [TestCase(RangeUnknownReason.LongerThanRefresh, true, true)]
         [TestCase(RangeUnknownReason.LowFrameRate, true, true)]
         [TestCase(RangeUnknownReason.BeyondMeasured, true, true)]
