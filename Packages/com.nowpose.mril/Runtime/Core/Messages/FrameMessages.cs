@@ -12,7 +12,7 @@ namespace Nowpose.Messages
         public const string NoPose = "no pose received";
         public const string PosesStopped = "no new poses are arriving";
         public const string PosesTooRare = "its poses arrive too rarely to be predicted";
-        public const string PosesTooOld = "its poses arrive too late to be displayed; check the clock of its source";
+        public const string PosesTooOld = "its poses arrive too late to be displayed; check the network and the clock of its source";
         public const string OlderThanConnection = "no pose since the connection was restored; check its source";
 
         /// <param name="parent">The parent that the frame's source reports.</param>
