@@ -52,7 +52,7 @@ namespace Nowpose.ArFoundation
         public bool IsRunning { get; private set; }
 
         /// <summary>Reason why the manager does not work, in one line; null if it works, and in the first seconds.</summary>
-        public string Problem { get; private set; }
+        [field: NonSerialized] public string Problem { get; private set; }
 
         /// <summary>Finds or adds the manager, and updates the other properties. Call once per frame.</summary>
         /// <param name="assigned">The XR Origin; null selects the XR Origin above the main camera in the hierarchy.</param>

@@ -1,3 +1,4 @@
+using System;
 using MixedReality.Toolkit;
 using Nowpose.Unity;
 using Nowpose.Unity.Messages;
@@ -41,7 +42,7 @@ namespace Nowpose.Mrtk3
         /// <summary>Minimum time to read a question, in s. An earlier press was not an answer to this question.</summary>
         const float ReadingSeconds = 0.5f;
 
-        string _shown = "";
+        [NonSerialized] string _shown = "";
         float _shownAt;
 
         /// <summary>

@@ -40,7 +40,7 @@ namespace Nowpose.OpenXR
         int _requestFrame;
 
         /// <summary>Reason why the plane is not in use, in one line; null if the plane is in use or the runtime's session has not started.</summary>
-        public string Problem { get; private set; }
+        [field: NonSerialized] public string Problem { get; private set; }
 
         /// <summary>Whether the request contains the velocity of the predicted tool.</summary>
         public bool SendVelocity

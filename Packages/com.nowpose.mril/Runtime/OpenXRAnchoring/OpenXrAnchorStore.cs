@@ -36,7 +36,7 @@ namespace Nowpose.OpenXR
 
         public bool IsReady => _store != null;
 
-        public string Problem { get; private set; }
+        [field: NonSerialized] public string Problem { get; private set; }
 
         public bool Has(string name) => Try("look for '" + name + "'", store => StoredAs(store, name) != null);
 

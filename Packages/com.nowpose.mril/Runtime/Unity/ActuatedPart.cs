@@ -47,7 +47,6 @@ namespace Nowpose.Unity
         Vector3 _restPosition;
         Quaternion _restRotation;
         (Component Mover, RobotJoint Joint) _other;
-        // Otherwise, Unity saves them when it recompiles scripts in play mode, and makes an empty text of null.
         [NonSerialized] string _conflict, _title, _disabled;
 
         /// <summary>Name of the signal.</summary>

@@ -77,8 +77,10 @@ namespace Nowpose.Unity
         MrilSession _session;
         readonly AnchorLog _log = new AnchorLog();
         BaseAnchorState _state;
-        string _words = "", _fault;
-        bool _loggedScale, _isGiven;
+        [NonSerialized] string _words = "", _fault;
+        bool _loggedScale;
+        // After a recompilation of scripts in play mode, the fields apply again, because the tracker with the markers of the script is lost.
+        [NonSerialized] bool _isGiven;
         (Vector3 Position, Quaternion Rotation) _own;
 
         /// <summary>Raised when <see cref="Place"/> or <see cref="Nudge"/> moves the anchor.</summary>

@@ -60,8 +60,8 @@ namespace Nowpose.Unity
         readonly Listeners<Action> _changed = new Listeners<Action>();
         MrilSession _source;
         BaseAnchor _target;
-        string _fileProblem, _unsaved, _name, _path, _shown = "";
-        bool _isApplied;
+        [NonSerialized] string _fileProblem, _unsaved, _name, _path, _shown = "";
+        [NonSerialized] bool _isApplied;
 
         /// <summary>Raised when <see cref="Question"/>, <see cref="Words"/>, <see cref="Problem"/> or <see cref="Cell"/> has changed.</summary>
         public event Action Changed { add => _changed.Add(value); remove => _changed.Remove(value); }

@@ -72,7 +72,6 @@ namespace Nowpose.Unity
         readonly AppearancesOfParts _appearances = new AppearancesOfParts();
         SignalFollower _follower;
         bool? _isOn;
-        // Otherwise, Unity saves it when it recompiles scripts in play mode, and makes an empty text of null.
         [NonSerialized] string _disabled;
 
         /// <summary>Name of the signal.</summary>

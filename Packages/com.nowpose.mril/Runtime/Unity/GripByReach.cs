@@ -38,7 +38,6 @@ namespace Nowpose.Unity
         SessionRobot _robot;
         CompensationSession _followed;
         ReachGrip _grip;
-        // Otherwise, Unity saves them when it recompiles scripts in play mode, and makes an empty text of null.
         [NonSerialized] string _name, _title, _problem;
 
         /// <summary>Name of the signal.</summary>

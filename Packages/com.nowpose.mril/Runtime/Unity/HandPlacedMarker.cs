@@ -27,7 +27,6 @@ namespace Nowpose.Unity
             + "2 degrees displace a tool at a reach of 0.6 m by 21 mm. Switch it off for a robot on a wall, a ceiling or a slope.")]
         bool _keepUpright = true;
 
-        // Otherwise, Unity saves it when it recompiles scripts in play mode, and makes an empty text of null.
         [NonSerialized] string _id;
         MrilSession _session;
         HeadsetTime? _placed;

@@ -82,13 +82,13 @@ namespace Nowpose.Unity
         public int BackwardCount => _marks?.BackwardCount ?? 0;
 
         /// <summary>Reason why the last mark or result was rejected, in one line; null if it was accepted.</summary>
-        public string Problem { get; private set; }
+        [field: NonSerialized] public string Problem { get; private set; }
 
         /// <summary>Describes the last result in one line; null before the first result.</summary>
-        public string Report { get; private set; }
+        [field: NonSerialized] public string Report { get; private set; }
 
         /// <summary>Shift and marks, or the result until the next change, for the status panel; null while the calibration is not used.</summary>
-        internal string Progress { get; private set; }
+        [field: NonSerialized] internal string Progress { get; private set; }
 
         /// <summary>Adds a length in mm to the shift. A button can call this method.</summary>
         public void Step(float mm) => OffsetMm += mm;

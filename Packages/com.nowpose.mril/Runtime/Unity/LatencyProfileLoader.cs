@@ -1,3 +1,4 @@
+using System;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
 using Nowpose.Session;
@@ -42,10 +43,10 @@ namespace Nowpose.Unity
         /// <summary>
         /// The file or asset from which <see cref="Profile"/> was loaded, or a note that the profile is not saved; null before the first profile.
         /// </summary>
-        public string From { get; private set; }
+        [field: NonSerialized] public string From { get; private set; }
 
         /// <summary>Reason why a profile was rejected or could not be saved, in one line; null if no problem is known.</summary>
-        public string Problem { get; private set; }
+        [field: NonSerialized] public string Problem { get; private set; }
 
         /// <summary>
         /// Searches for a profile again, for example after a file was copied to the device. Keeps the profile in use if none is valid.

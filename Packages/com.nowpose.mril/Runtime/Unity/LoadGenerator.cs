@@ -1,3 +1,4 @@
+using System;
 using Nowpose.Latency.Load;
 using Nowpose.Unity.Calibration;
 using Nowpose.Unity.Messages;
@@ -58,7 +59,7 @@ namespace Nowpose.Unity
         public bool IsReady => _patches != null && VerticesShown == LoadMesh.DrawnOf(_vertices);
 
         /// <summary>Reason why nothing is drawn, in one line; null if no problem is known.</summary>
-        public string Problem { get; private set; }
+        [field: NonSerialized] public string Problem { get; private set; }
 
         void OnEnable()
         {

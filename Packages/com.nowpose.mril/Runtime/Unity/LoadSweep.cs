@@ -96,16 +96,16 @@ namespace Nowpose.Unity
         public bool IsRunning => _run != null;
 
         /// <summary>Describes the progress in a few words; null before the first sweep.</summary>
-        public string Words { get; private set; }
+        [field: NonSerialized] public string Words { get; private set; }
 
         /// <summary>Path of the current or last log; null before the first sweep.</summary>
-        public string Path { get; private set; }
+        [field: NonSerialized] public string Path { get; private set; }
 
         /// <summary>Result of the last sweep: whether the render time depends on the load. Null until a sweep is complete.</summary>
         public LoadSensitivity Verdict { get; private set; }
 
         /// <summary>Reason why a sweep did not start or ended early, in one line; null if no problem is known.</summary>
-        public string Problem { get; private set; }
+        [field: NonSerialized] public string Problem { get; private set; }
 
         /// <summary>Task that completes when the log of the last sweep is closed.</summary>
         internal Task Closed => _closing;

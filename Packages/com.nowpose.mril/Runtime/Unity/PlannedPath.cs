@@ -43,7 +43,7 @@ namespace Nowpose.Unity
         public float DrawnSeconds { get; private set; }
 
         /// <summary>Reason why the line is hidden, in one line; null while it is drawn.</summary>
-        public string Fault { get; private set; } = StatusMessages.NoSession;
+        [field: NonSerialized] public string Fault { get; private set; } = StatusMessages.NoSession;
 
         void OnEnable()
         {

@@ -41,10 +41,10 @@ namespace Nowpose.Unity
         public bool IsRecording => Recorder != null && Recorder.State == RecordingState.Recording;
 
         /// <summary>Path of the current or last file; null before the first file.</summary>
-        public string Path { get; private set; }
+        [field: NonSerialized] public string Path { get; private set; }
 
         /// <summary>Reason why a requested recording is not running, in one line; null if no problem is known.</summary>
-        public string Problem { get; private set; }
+        [field: NonSerialized] public string Problem { get; private set; }
 
         /// <summary>Starts to record the current session and all later sessions. Call it again to retry after a problem.</summary>
         public void StartRecording()

@@ -42,7 +42,7 @@ namespace Nowpose.Unity
 
         FollowedFrame _followed;
         RigidTransform? _saved;
-        string _readPath;
+        [NonSerialized] string _readPath;
 
         /// <summary>Name of the frame.</summary>
         public string Frame => _followed != null ? _followed.Name : string.IsNullOrEmpty(_frame) ? name : _frame;
