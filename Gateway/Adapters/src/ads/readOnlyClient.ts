@@ -1,5 +1,6 @@
 import { ADS, type AdsCommandToSend, type AdsResponse, type AmsAddress, type AmsTcpPacket, Client } from 'ads-client';
 import type { AdsEndpoint } from './endpoint';
+import { isAdsError } from './reasons';
 import { parseStream, type StampedSamples } from './stream';
 import { adsMessages } from '../messages/ads';
 
@@ -34,8 +35,8 @@ export class ReadOnlyClient extends Client {
   /** Number of subscriptions without a response. */
   #subscribing = 0;
   /**
-   * Deletions of unknown handles, by address and handle, that have no response or failed, so that each further notification does not request the same
-   * deletion.
+   * Deletions of unknown handles, by address and handle, that have no response yet or that the PLC has refused, so that each further notification
+   * does not request the same deletion.
    */
   readonly #deletions = new Map<string, Promise<unknown>>();
 
@@ -65,7 +66,13 @@ export class ReadOnlyClient extends Client {
       const before = this.#deletions.get(key);
       if (before !== undefined) return before;
       if (this.#deletions.size >= MAX_DELETIONS) this.#deletions.clear();
-      const deletion = deleted(handle, from).then(() => this.#deletions.delete(key));
+      const deletion = deleted(handle, from).then(
+        () => this.#deletions.delete(key),
+        error => {
+          if (!isAdsError(error)) this.#deletions.delete(key);
+          throw error;
+        },
+      );
       this.#deletions.set(key, deletion);
       return deletion;
     };

@@ -72,3 +72,16 @@ describe('unknown notifications', () => {
     assert.deepEqual([subscription.notificationHandle, cell.server.notifications], [next, before]);
   });
 });
+  it('Notification_DeletionTimedOut_IsDeletedAgain', async t => {
+    const cell = await connected(t), failed = once(cell.client, 'client-error');
+    cell.client.settings.timeoutDelay = 10;
+    cell.server.respond = () => {};
+    cell.receive(78);
+    await failed;
+
+    cell.receive(78);
+
+    await until(() => cell.deleted.length === 2, () => cell.deleted.join());
+    assert.deepEqual(cell.deleted, [78, 78]);
+  });
+
