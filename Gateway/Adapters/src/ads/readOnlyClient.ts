@@ -22,7 +22,6 @@ interface Hidden {
   receiveBuffer: Buffer;
   handleReceivedData(): void;
   parseAmsTcpPacket(data: Buffer): void;
-  parseAdsResponse(packet: AmsTcpPacket, data: Buffer): unknown;
   parseAdsNotification(data: Buffer): unknown;
   onPlcSymbolVersionChanged(data: Buffer | { value: Buffer }): void;
   deleteNotificationHandle(handle: number, from: AmsAddress): Promise<unknown>;
@@ -58,7 +57,6 @@ export class ReadOnlyClient extends Client {
     const taken = hidden.parseAmsTcpPacket.bind(this);
     const received = hidden.handleReceivedData.bind(this);
     const deleted = hidden.deleteNotificationHandle.bind(this);
-    const answered = hidden.parseAdsResponse.bind(this);
     hidden.deleteNotificationHandle = (handle, from) => {
       const address = `${from.amsNetId}:${from.adsPort}`;
       const key = `${address}/${handle}`;
@@ -76,13 +74,6 @@ export class ReadOnlyClient extends Client {
       this.#deletions.set(key, deletion);
       return deletion;
     };
-    // A PLC sends the notifications of all clients of a machine over one connection. ads-client does not compare the AMS port, so it would take a
-    // notification of another client for one of its own, or delete it.
-    hidden.parseAdsResponse = (packet, data) => {
-      const { adsCommand, targetAmsAddress } = packet.ams;
-      const isOther = adsCommand === COMMAND.Notification && targetAmsAddress.adsPort !== this.connection.localAdsPort;
-      return isOther ? { payload: { stamps: [] } } : answered(packet, data);
-    };
     hidden.parseAdsNotification = data => {
       this.onSamples(parseStream(data));
       return parsed(data);
@@ -97,7 +88,7 @@ export class ReadOnlyClient extends Client {
       this.onSamples = () => {};
       this.emit('plcSymbolVersionChange', version, before);
     };
-    hidden.parseAmsTcpPacket = data => this.#unlessBroken(() => taken(data));
+    hidden.parseAmsTcpPacket = data => this.#unlessBroken(() => this.#isForOther(data) || taken(data));
     hidden.handleReceivedData = () =>
       this.#unlessBroken(() => {
         const { receiveBuffer } = hidden;
@@ -132,6 +123,15 @@ export class ReadOnlyClient extends Client {
     const all = force ? [] : Object.values(this.activeSubscriptions).flatMap(ofAddress => Object.values(ofAddress));
     await Promise.allSettled(all.map(subscription => subscription.unsubscribe()));
     return super.disconnect(force);
+  }
+
+  // A PLC sends the frames for all clients of a machine over one connection. ads-client compares only the Net Id, and only after it has parsed the
+  // frame, so a notification for another client would be used or deleted.
+  #isForOther(frame: Buffer): boolean {
+    if (frame.readUInt16LE(0) !== ADS.AMS_HEADER_FLAG.AMS_TCP_PORT_AMS_CMD) return false;
+    const netId = ADS.byteArrayToAmsNetIdStr(frame.subarray(6, 12));
+    const { localAmsNetId, localAdsPort } = this.connection;
+    return (netId !== localAmsNetId && netId !== ADS.LOOPBACK_AMS_NET_ID) || frame.readUInt16LE(12) !== localAdsPort;
   }
 
   get #hidden(): Hidden {

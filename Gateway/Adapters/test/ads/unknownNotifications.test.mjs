@@ -1,11 +1,11 @@
-// Tests which notifications of other connections and of other clients a client deletes.
+// Tests which notifications of other connections and of other clients a client deletes, and that it uses no frames for other clients.
 import assert from 'node:assert/strict';
 import { once } from 'node:events';
 import { describe, it } from 'node:test';
 import { parts } from '../parts.mjs';
 import { until } from '../program.mjs';
 import { NET_ID } from './cell.mjs';
-import { command, notificationFrame, words } from './frames.mjs';
+import { answer, command, notificationFrame, readResult, words } from './frames.mjs';
 import { AdsServer } from './server.mjs';
 import { youBot } from './youbot.mjs';
 
@@ -38,11 +38,32 @@ describe('unknown notifications', () => {
   it('Notification_OfAnotherClientOfTheMachine_IsNeitherUsedNorDeleted', async t => {
     const cell = await connected(t);
 
-    cell.receive(77, { ...LOCAL, port: 40000 });
+    cell.receive(76, { ...LOCAL, port: 40000 });
+    // All adapters without a router have the same AMS port.
+    cell.receive(77, { ...LOCAL, netId: '192.168.0.11.1.1' });
     cell.receive(78);
 
     await until(() => cell.deleted.includes(78), () => cell.deleted.join());
-    assert.deepEqual([cell.deleted, cell.heard.includes(77), cell.heard.includes(78)], [[78], false, true]);
+    assert.deepEqual([cell.deleted, [76, 77, 78].filter(handle => cell.heard.includes(handle))], [[78], [78]]);
+  });
+
+  it('Notification_ForTheLoopbackNetId_IsUsed', async t => {
+    const cell = await connected(t);
+
+    cell.receive(78, { ...LOCAL, netId: '127.0.0.1.1.1' });
+
+    assert.ok(cell.heard.includes(78), cell.heard.join());
+  });
+
+  // The clients of a machine number their requests independently.
+  it('Response_ForAnotherClientOfTheMachine_IsNotUsed', async t => {
+    const { client } = await connected(t), { indexGroup, indexOffset } = await client.getSymbol('GVL.aJoints[0]'), others = words(0x7fffffff);
+    const read = client.readRaw(indexGroup, indexOffset, 4);
+
+    for (let invokeId = 0; invokeId < 100; invokeId++)
+      client.parseAmsTcpPacket(answer({ source: { ...LOCAL, port: 40000 }, target: PLC, command: command.read, invokeId }, readResult(others)));
+
+    assert.notDeepEqual(await read, others);
   });
 
   it('Notification_DeletionRefused_IsNotDeletedAgain', async t => {
@@ -55,6 +76,19 @@ describe('unknown notifications', () => {
 
     await until(() => cell.deleted.includes(79), () => cell.deleted.join());
     assert.deepEqual(cell.deleted, [78, 79]);
+  });
+
+  it('Notification_DeletionTimedOut_IsDeletedAgain', async t => {
+    const cell = await connected(t), failed = once(cell.client, 'client-error');
+    cell.client.settings.timeoutDelay = 10;
+    cell.server.respond = () => {};
+    cell.receive(78);
+    await failed;
+
+    cell.receive(78);
+
+    await until(() => cell.deleted.length === 2, () => cell.deleted.join());
+    assert.deepEqual(cell.deleted, [78, 78]);
   });
 
   // The PLC may use the handle again, for a notification of this client.
@@ -72,16 +106,3 @@ describe('unknown notifications', () => {
     assert.deepEqual([subscription.notificationHandle, cell.server.notifications], [next, before]);
   });
 });
-  it('Notification_DeletionTimedOut_IsDeletedAgain', async t => {
-    const cell = await connected(t), failed = once(cell.client, 'client-error');
-    cell.client.settings.timeoutDelay = 10;
-    cell.server.respond = () => {};
-    cell.receive(78);
-    await failed;
-
-    cell.receive(78);
-
-    await until(() => cell.deleted.length === 2, () => cell.deleted.join());
-    assert.deepEqual(cell.deleted, [78, 78]);
-  });
-
