@@ -167,6 +167,22 @@ describe('silent symbols', () => {
       assert.deepEqual([cell.renewed, cell.lost, cell.confirmed], [[], [], []]);
     });
 
+  it('Symbol_ProgramStopsDuringTheSubscription_IsSubscribedAgainAfterTheStart', async () => {
+    const cell = plc(), { actions } = cell.symbols, { renew } = actions;
+    actions.renew = joint => {
+      cell.isRunning = false;
+      return renew(joint);
+    };
+    cell.isRefusing = true;
+    cell.symbols.discard(0);
+
+    await cell.look();
+    [cell.isRunning, cell.isRefusing] = [true, false];
+    await cell.look();
+
+    assert.deepEqual([cell.lost, cell.renewed], [[], [0, 0]]);
+  });
+
   for (const [name, value, expected] of [['', 1, [0, 1]], ['OneNotReadable', null, [1]]])
     it(`Symbols_SubscriptionsRefused${name}_AreTriedAgainOneAfterTheOther`, async () => {
       const cell = plc(), counts = [];

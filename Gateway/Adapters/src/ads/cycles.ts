@@ -11,6 +11,8 @@ const MAX_TIMES = 2048;
 export interface CycleValue {
   index: number;
   value: PlcNumber;
+  /** Whether this is the first value of a subscription. Its stamp may be old. */
+  isFirst?: boolean;
 }
 
 /**

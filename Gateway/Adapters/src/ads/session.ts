@@ -182,7 +182,7 @@ export class AdsSession {
           await this.#time!.reserving(() => this.#watch(symbols[index]!, index, sampled));
           // Publishes the value that was read, because the first notification may arrive before its handle is known, and a value at rest
           // receives no other notification.
-          output.publish([{ index, value, stamp: null, isFirst: true }]);
+          this.#put(null, [{ index, value, isFirst: true }]);
         },
       },
     );

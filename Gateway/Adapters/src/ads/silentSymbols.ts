@@ -128,7 +128,7 @@ export class SilentSymbols {
     symbol.missedSince = this.isOnChange && isSame ? null : (symbol.missedSince ?? began);
     if (symbol.isLost || isUnnotified(symbol.missedSince, began, this.delayMs)) {
       this.heard(index, value);
-      await this.actions.renew(index, value).catch(error => this.refuse(index, error));
+      await this.actions.renew(index, value).catch(error => (this.actions.isRunning() ? this.refuse(index, error) : this.discard(index)));
       return false;
     }
     return this.isOnChange && isSame;

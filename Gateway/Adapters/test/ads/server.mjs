@@ -35,8 +35,8 @@ export class AdsServer {
     this.seen = [];
     /** While true, the server reads requests but does not respond to them. */
     this.silent = false;
-    /** Sends the response to a command. A test may replace it to send responses later. */
-    this.respond = (sent, send) => send();
+    /** Sends the response to a command. A test may replace it to send responses later; it also gets the data of the request. */
+    this.respond = (_, send) => send();
     plc.downloaded.add(this.#downloaded);
   }
 
@@ -99,7 +99,7 @@ export class AdsServer {
       if (this.routes && !this.routes.includes(asked.source.netId)) return void socket.destroy();
       const code = this.#unreachable(asked.target);
       const reply = code ? Buffer.alloc(0) : this.#reply(asked, this.#notificationsOf(asked.source, socket), number);
-      this.respond(asked.command, () => socket.write(answer(asked, reply, code)));
+      this.respond(asked.command, () => socket.write(answer(asked, reply, code)), asked.data);
     }
   }
 
