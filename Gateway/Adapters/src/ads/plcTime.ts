@@ -94,8 +94,9 @@ export class NotificationTime implements PlcTime {
     if (this.#asking === 0) this.#early.clear();
     if (early !== undefined) return Promise.resolve(early);
     return new Promise((resolve, reject) => {
-      // Once more, because ads-client reads a packet that has arrived only in a later step.
-      const cancel = afterArrivals(MAX_WAIT_MS, () => setImmediate(() => reject(new Error(adsMessages.noNotification(MAX_WAIT_MS)))));
+      // In each step of the event loop, ads-client takes one of the frames that have arrived, and parses it in the next step.
+      const end = (): unknown => setImmediate(this.client.hasFrame ? end : () => reject(new Error(adsMessages.noNotification(MAX_WAIT_MS))));
+      const cancel = afterArrivals(MAX_WAIT_MS, end);
       this.#waiting.set(handle, stamp => {
         cancel();
         resolve(stamp);

@@ -103,6 +103,12 @@ export class ReadOnlyClient extends Client {
     return socket === undefined || socket.destroyed || socket.readableEnded;
   }
 
+  /** Whether a whole frame has arrived that ads-client has not taken yet. */
+  get hasFrame(): boolean {
+    const { receiveBuffer } = this.#hidden;
+    return receiveBuffer.length >= 6 && receiveBuffer.length >= 6 + receiveBuffer.readUInt32LE(2);
+  }
+
   /** Refuses commands that write. ads-client sends all its commands with this method. */
   override async sendAdsCommand<T = AdsResponse>(command: AdsCommandToSend): Promise<AmsTcpPacket<T>> {
     const isReading =

@@ -1,8 +1,13 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
+import { messages } from '../messages.mjs';
 import { parts } from '../parts.mjs';
+import { NET_ID } from './cell.mjs';
+import { notificationFrame, words } from './frames.mjs';
 
-const { bitIn, Cycles, NotificationTime, numberOf, ofFileTime } = await parts('samples/number', 'ads/cycles', 'ads/plcTime', 'ads/decoding', 'times');
+const { adsMessages } = messages;
+const { bitIn, Cycles, NotificationTime, numberOf, ofFileTime, ReadOnlyClient } = await parts(
+  'samples/number', 'ads/cycles', 'ads/plcTime', 'ads/decoding', 'times', 'ads/readOnlyClient');
 
 describe('cycles of a PLC', () => {
   const met = (cycles, perDelay) => {
@@ -36,7 +41,8 @@ describe('words of a PLC', () => {
 });
 
 describe('time by notifications', () => {
-  const STAMP = 133_000_000_000_000_000n;
+  const STAMP = 133_000_000_000_000_000n, PLACE = { indexGroup: 1, indexOffset: 2, size: 4 };
+  const LOCAL = { netId: '192.168.0.10.1.1', port: 32905 }, PLC = { netId: NET_ID, port: 851 };
 
   /** Simulates a PLC whose first notification arrives before (`early`) or after the response to the subscription. */
   function plc({ early, handles = [1, 2, 3] }) {
@@ -47,7 +53,7 @@ describe('time by notifications', () => {
         else setImmediate(() => setImmediate(() => time.saw(notificationHandle, stamp)));
         return { notificationHandle, unsubscribe: async () => {} };
       },
-    }, { indexGroup: 1, indexOffset: 2, size: 4 });
+    }, PLACE);
     return time;
   }
 
@@ -58,17 +64,33 @@ describe('time by notifications', () => {
       assert.deepEqual([(await time.read()).sent, (await time.read()).sent], [ofFileTime(STAMP + 2n), ofFileTime(STAMP + 1n)]);
     });
 
-  // ads-client reads a packet in a step of its own after its arrival.
-  it('NotificationTime_NotificationArrivedDuringAPauseOfTheProcess_IsUsed', async t => {
+  /** Starts a reading and ends its timeout, then lets these bytes arrive, as after a pause of the process. */
+  async function readAfterAPause(t, bytes) {
     const wait = new Promise(resolve => t.mock.method(globalThis, 'setTimeout', resolve));
-    const time = new NotificationTime(
-      { subscribe: async () => ({ notificationHandle: 1, unsubscribe: async () => {} }) }, { indexGroup: 1, indexOffset: 2, size: 4 });
+    const client = new ReadOnlyClient({ host: '127.0.0.1', tcpPort: 1, ...PLC }, LOCAL), time = new NotificationTime(client, PLACE);
+    t.mock.method(client, 'subscribe', async () => ({ notificationHandle: 1, unsubscribe: async () => {} }));
+    client.connection = { connected: true, localAmsNetId: LOCAL.netId, localAdsPort: LOCAL.port };
+    client.settings.deleteUnknownSubscriptions = false;
+    client.onSamples = stamps => stamps.forEach(({ stamp, samples }) => time.saw(samples[0].handle, stamp));
     const read = time.read(), end = await wait;
-
     end();
-    setImmediate(() => time.saw(1, STAMP));
+    client.receiveBuffer = bytes;
+    client.handleReceivedData();
+    return (await read).sent;
+  }
 
-    assert.equal((await read).sent, ofFileTime(STAMP));
+  const frameOf = handle => notificationFrame(LOCAL, PLC, [{ stamp: STAMP, samples: [{ handle, data: words(0) }] }]);
+
+  // ads-client parses each frame that has arrived in a step of its own.
+  for (const others of [0, 1, 2, 50])
+    it(`NotificationTime_NotificationArrivedDuringAPause_IsUsed (after ${others} other frames)`, async t => {
+      const bytes = Buffer.concat([...Array(others).fill(frameOf(2)), frameOf(1)]);
+
+      assert.equal(await readAfterAPause(t, bytes), ofFileTime(STAMP));
+    });
+
+  it('NotificationTime_OnlyAPartOfTheNotificationArrived_TimesOut', async t => {
+    await assert.rejects(readAfterAPause(t, frameOf(1).subarray(0, -1)), { message: adsMessages.noNotification(1500) });
   });
 
   it('NotificationTime_HandleOfAnEarlierRequest_IsIgnored', async () => {
