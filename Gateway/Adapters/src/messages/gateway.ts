@@ -41,7 +41,7 @@ export const gatewayMessages = {
 
 /** Ends the message about a refusal of user and password. */
 export const laterLogin =
-  'the adapter tries again after about 30 s, then at longer intervals of up to 5 min, so that the account is not locked; restart it to try at once';
+  'the adapter tries again after about 30 s, then at intervals of up to 5 min, so that the account is not locked; restart the adapter to try at once';
 
 /** Messages about the clock of a plant. */
 export const clockMessages = {
