@@ -119,7 +119,7 @@ export class PoseOutput {
     return this.#tracksOf(value).some(({ end }) => end === 'in-motion');
   }
 
-  /** Reports the reason why the frames of a value are not published yet although the value has arrived. */
+  /** Sets the reason why the frames of a value are not published yet. */
   explain(value: number, reason: Refusal): void {
     for (const { frame } of this.#tracksOf(value)) this.status.frames.explain(frame.frame, reason);
   }

@@ -121,7 +121,7 @@ export class Conditions {
     this.#trouble(name, 'fault', reason, since, true);
   }
 
-  /** Sets the reason for the state of a name that is neither live nor at rest, and whose value has arrived but is not used yet. */
+  /** Sets the reason for the state of a name that is neither live nor at rest. */
   explain(name: string, reason: Refusal): void {
     const known = this.#known.get(name);
     if (known !== undefined && !isGood(known)) this.#trouble(name, known.state, reason, known.since, true);

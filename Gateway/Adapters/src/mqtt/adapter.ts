@@ -28,6 +28,8 @@ export async function run(context: AdapterContext<MqttSettings>): Promise<void> 
   status.enter('connecting');
   await clock.doWithout(stopping);
   const values = new TopicValues(configuration.values);
+  /** Topics whose subscription the broker has refused, and on which no message has arrived since. */
+  const refused = new Set<string>();
   const events: MqttEvents = {
     opened: () => {
       output.restart();
@@ -38,12 +40,16 @@ export async function run(context: AdapterContext<MqttSettings>): Promise<void> 
       status.enter('waiting', reason);
     },
     refused: (topic, reason) => {
+      refused.add(topic);
       for (const index of values.indicesOf(topic)) output.lose(index, { reason: 'not-readable', text: reason });
     },
     accepted: topic => {
+      // The broker may send a message before it responds to the subscription.
+      if (!refused.delete(topic)) return;
       for (const index of values.indicesOf(topic)) output.explain(index, { reason: 'not-connected', text: mqttMessages.accepted(topic) });
     },
     heard: (topic, payload, isRetained) => {
+      refused.delete(topic);
       const found = valuesIn(values, topic, payload, isRetained ? null : clock.now, time);
       output.publish(isRetained ? found.map(value => ({ ...value, isFirst: true })) : found);
       // Signals are published at once.

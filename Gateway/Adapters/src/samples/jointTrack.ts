@@ -141,7 +141,7 @@ export class JointTrack {
     return null;
   }
 
-  /** Reports the reason why the joint is not published yet although its value has arrived. */
+  /** Sets the reason why the joint is not published yet. A joint whose data have ended keeps its fault. */
   explain(reason: Refusal): void {
     if (this.#end === null) this.plant.status.joints.explain(this.joint.joint, reason);
   }

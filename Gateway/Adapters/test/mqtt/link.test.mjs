@@ -83,6 +83,27 @@ describe('mqtt link', () => {
     assert.deepEqual([bridge.joint('a').state, bridge.state['reason/a']], ['missing', 'not-connected']);
   });
 
+  // A broker may send a message before its response to the subscription.
+  for (const [name, payload, reason] of [['Retained', '{"x":1}', mqttMessages.retained], ['Malformed', '{', mqttMessages.notJson('b')]])
+    it(`Adapter_${name}MessageBeforeTheAcceptance_KeepsItsReason`, async t => {
+      const [broker, bridge] = await Promise.all([RefusingBroker.start(t), RosbridgeDouble.start(t, { now: clockAhead(0) })]);
+      const { mock } = t.mock.method(globalThis, 'setInterval'), topics = ['b', 'next'];
+      const rest = `joints: [${topics.map(topic => `{ joint: ${topic}, topic: ${topic}, field: x }`)}]\n`;
+      const reached = (joint, expected) => until(() => bridge.joint(joint)?.reason.startsWith(expected), () => JSON.stringify(bridge.state));
+      let connection;
+      broker.refuses = topic => topic === 'b';
+      broker.answered = (_, socket) => connection = socket;
+      start(t, [temporaryFile('mqtt.yaml', configuration(bridge.url, broker.url, { rest }))]);
+      await reached('b', 'the broker refuses the subscription to b');
+
+      broker.refuses = topic => RefusingBroker.publish(connection, topic, payload, { isRetained: true });
+      broker.answered = () => RefusingBroker.publish(connection, 'next', '[');
+      repeat(mock);
+
+      await reached('next', mqttMessages.notJson('next'));
+      assert.equal(bridge.joint('b').reason, reason);
+    });
+
   it('Link_StoppedWhileTheBrokerDoesNotRespond_EndsAfterTheGoodbye', async t => {
     const broker = await RefusingBroker.start(t), { mock } = t.mock.method(globalThis, 'setTimeout');
     // Without pings, nothing else ends the connection.
