@@ -70,7 +70,8 @@ public sealed partial class ReadOnlyPlantTests
 
         Assert.That(files.SelectMany(ConnectionsIn), Is.EquivalentTo(Connections));
         // This file imports the class from the module ws.
-        Assert.That(files.Where(file => OtherAccess().IsMatch(RepositoryFiles.Read(file))), Is.EqualTo(new[] { $"{Sources}/gateway/link.ts" }));
+        Assert.That(files.SelectMany(file => CallsIn(file, OtherAccess()).Select(call => $"{file}: {call}")),
+            Is.EqualTo(new[] { $"{Sources}/gateway/link.ts: new WebSocket(" }));
         foreach (var (file, list) in new[] { ("opcua/readOnlySession.ts", "ALLOWED"), ("ads/readOnlyClient.ts", "READING") })
             Assert.That(RepositoryFiles.Read($"{Sources}/{file}").Split(list).Length, Is.GreaterThan(2), $"{file} has a list of allowed requests and checks it");
     }
