@@ -77,6 +77,18 @@ describe('security of OPC UA', () => {
     assert.doesNotMatch(run.err + JSON.stringify(bridge.heard), /wrong-horse/);
   });
 
+  it('User_RefusedAfterTheLogin_IsReportedAndConnectedSoonAfterTheRightIsGiven', async t => {
+    server.denied = 'CreateSubscriptionResponse';
+    t.after(() => { server.denied = null; });
+    const { state } = await adapterFor(t, server, [trusted(), 'user: {name: nowpose}'], JOINTS, WITH_PASSWORD);
+
+    const { reason } = await state(s => s.state === 'refused');
+
+    assert.equal(reason, opcuaRefusalMessages.noRight('BadUserAccessDenied'));
+    server.denied = null;
+    await state(s => s.state === 'connected');
+  });
+
   it('Anonymous_NotAllowed_IsReported', async t => {
     const { state } = await adapterFor(t, server, [trusted()], JOINTS);
 

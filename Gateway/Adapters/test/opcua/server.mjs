@@ -82,6 +82,8 @@ export class YoubotServer {
   /** Replaces a value before it is sent: receives the value that the server would send, and returns the value that it sends. */
   spoil = (name, sent) => sent;
   isStopped = false;
+  /** Name of a response that becomes BadUserAccessDenied; null if there is none. */
+  denied = null;
   /** Durations of the newest subscription: without a message, and without a request of the client. */
   subscription = null;
   /** Converts a time of the control system to the time of the motion, which does not advance while the robot is at rest. */
@@ -153,6 +155,7 @@ export class YoubotServer {
         for (const { requestedParameters: asked } of request.itemsToCreate) asked.samplingInterval = atLeast(asked.samplingInterval);
     });
     this.#server.on('response', response => {
+      if (response.schema.name === this.denied) response.responseHeader.serviceResult = StatusCodes.BadUserAccessDenied;
       if (!/^(Create|Modify)SubscriptionResponse$/.test(response.schema.name) || response.responseHeader.serviceResult.isNotGood()) return;
       const { revisedPublishingInterval: ms, revisedMaxKeepAliveCount: quiet, revisedLifetimeCount: all } = response;
       this.subscription = { keepAliveMs: ms * quiet, lifetimeMs: ms * all };
