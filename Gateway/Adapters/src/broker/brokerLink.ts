@@ -127,11 +127,6 @@ export class BrokerLink {
     this.#keep(ALIVE, presence);
   }
 
-  /** Subscribes again, so that the broker sends the retained messages again. */
-  subscribeAgain(): void {
-    this.#link.subscribeAgain();
-  }
-
   run(stop: AbortSignal): Promise<void> {
     const repetition = this.#isPublishing ? setInterval(() => this.#keep(ALIVE, this.#presence), PRESENT_EVERY_MS) : undefined;
     return this.#link.run(stop).finally(() => {

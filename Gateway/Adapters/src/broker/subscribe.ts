@@ -65,11 +65,8 @@ export async function subscribe(
   let isPresent = false;
   /** Cancels the end of the trust in the presence. */
   let keepPresence = (): void => {};
-  /** Whether the trust has ended without a message of the publishing bridge, which then does not send its values again. */
-  let isExpired = false;
   const broker = new BrokerLink(settings, configuration.plant.name, [...take.keys(), ...objects.topics, ALIVE], {
     opened: () => {
-      isExpired = false;
       refusal = null;
       absence = brokerMessages.noPublisher(settings.topic);
       status.enter('waiting', absence);
@@ -102,16 +99,12 @@ export async function subscribe(
     if (presence !== ('true' satisfies Presence))
       return withdraw(presence === ('no gateway' satisfies Presence) ? brokerMessages.gatewayAway : brokerMessages.bridgeAway);
     // No will arrives for a bridge that has not returned since the broker was off, or if another broker forwards its messages and is cut off.
-    keepPresence = afterArrivals(MAX_SILENCE_MS, () => {
-      isExpired = true;
-      withdraw(brokerMessages.bridgeSilent(MAX_SILENCE_MS / 1000));
-    });
+    keepPresence = afterArrivals(MAX_SILENCE_MS, () => withdraw(brokerMessages.bridgeSilent(MAX_SILENCE_MS / 1000)));
     // Only once, because a state with a reason puts each joint and signal in fault until its next value.
     if (isPresent) return;
     isPresent = true;
+    // Does not subscribe again to get the retained values: after a failure between two brokers, those on the broker of this bridge may be old.
     showState();
-    if (isExpired) broker.subscribeAgain();
-    isExpired = false;
   }
 
   // Also applies the reported states with a refused subscription, because the messages on the other topics arrive.
