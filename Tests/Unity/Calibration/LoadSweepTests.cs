@@ -108,6 +108,20 @@ public sealed class LoadSweepTests
     }
 
     [Test]
+    public void Progressed_ListenerThrows_CallsTheLaterOnes()
+    {
+        _played.Play();
+        var words = new List<string>();
+        _played.Sweep.Progressed += () => throw new InvalidOperationException();
+        _played.Sweep.Progressed += () => words.Add(_played.Sweep.Words);
+
+        _played.Sweep.StartSweep();
+        _played.Run(0.1);
+
+        Assert.That(words, Has.Member(LoadSweepMessages.WaitingForClock));
+    }
+
+    [Test]
     public async Task Sweep_ConstantSource_ReportsNoResponseToLoad()
     {
         _played.Play();
