@@ -20,6 +20,7 @@ namespace Nowpose.Sync
     /// <item><see cref="UnrecognisedChange"/>: a path change that the others have not recognised. It increases the estimated error, and the fit of the
     /// next exchange allows for the change.</item>
     /// </list>
+    /// If they are wrong and the line stays outside the bounds of the recent exchanges, it restarts.
     /// </remarks>
     sealed class ClockSynchroniser
     {
@@ -38,6 +39,12 @@ namespace Nowpose.Sync
         /// </summary>
         const double SkewUncertaintyOfSameClocks = 1e-6, SkewUncertaintyAfterStep = 50e-6, SkewUncertaintyAfterSilence = 5e-6;
 
+        /// <summary>
+        /// Maximum time for which the line may be outside the bounds of the recent exchanges. A change of the rate of the control clock that was
+        /// mistaken for a change of the path causes such a line. Without a restart, it would remain there for hours.
+        /// </summary>
+        static readonly TimeSpan MaxContradiction = TimeSpan.FromSeconds(10);
+
         readonly object _gate = new object();
         readonly IClockEstimator _estimator;
         readonly ClockSettings _settings;
@@ -46,6 +53,7 @@ namespace Nowpose.Sync
         readonly FastSlewDetector _slew = new FastSlewDetector();
         readonly ErrorThreshold _coarse, _synchronised;
         SyncExchange? _newest;
+        HeadsetTime? _contradictsSince;
         volatile Estimate _estimate = Estimate.None;
 
         public ClockSynchroniser(IClockEstimator estimator, ClockSettings settings)
@@ -143,6 +151,11 @@ namespace Nowpose.Sync
                     return SyncVerdict.Step;
                 default:
                     Use(exchange);
+                    if (IsRefuted(exchange.T4))
+                    {
+                        ResetLine(SkewUncertaintyAfterStep);
+                        _estimator.Add(exchange);
+                    }
                     Publish(exchange, stepped: false);
                     return SyncVerdict.Consistent;
             }
@@ -164,10 +177,20 @@ namespace Nowpose.Sync
             Publish(exchange, stepped);
         }
 
+        // Returns whether the line has been outside the bounds of the recent exchanges for too long.
+        bool IsRefuted(HeadsetTime now)
+        {
+            _envelope.MaxError(_estimator.Line, out var outside);
+            if (outside <= _settings.StepMargin) _contradictsSince = null;
+            else _contradictsSince ??= now;
+            return now - _contradictsSince > MaxContradiction;
+        }
+
         // Keeps the envelope, because it shows whether a clock stepped during the time without exchanges.
         void ResetLine(double skewUncertainty)
         {
             _estimator.Restart(skewUncertainty);
+            _contradictsSince = null;
             _coarse.Reset();
             _synchronised.Reset();
         }
@@ -193,7 +216,7 @@ namespace Nowpose.Sync
         void Publish(in SyncExchange exchange, bool stepped)
         {
             var line = _estimator.Line;
-            var proven = _envelope.MaxError(line);
+            var proven = _envelope.MaxError(line, out _);
             // While a step is suspected, this exchange allows for it, and either the earlier or the suspected exchanges are right.
             var suspected = _detector.MaxSuspectedError(line);
             var bound = (suspected > proven ? suspected : proven) + _detector.Suspicion;

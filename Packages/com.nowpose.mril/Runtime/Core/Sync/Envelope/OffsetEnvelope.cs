@@ -62,10 +62,12 @@ namespace Nowpose.Sync.Envelope
         /// Returns the maximum distance of the true offset from the line at its reference time, including the server's own error: the
         /// distance to the farther end of the interval.
         /// </summary>
-        public TimeSpan MaxError(in ClockLine line)
+        /// <param name="outside">Distance of the line from the interval; zero if the line is inside.</param>
+        public TimeSpan MaxError(in ClockLine line, out TimeSpan outside)
         {
             var (lower, upper) = At(line.Reference, line, ServerError.AsStatedSince);
             var offset = line.Offset.HeadsetMinusControl.Ticks;
+            outside = new TimeSpan(Math.Max(0, Math.Max(lower - offset, offset - upper)));
             return new TimeSpan(Math.Max(Math.Abs(upper - offset), Math.Abs(offset - lower)));
         }
 
