@@ -84,7 +84,8 @@ sealed class EventList(TimeProvider time, Action<string, string> log)
         // Removes only events that are over. An active event that were removed would begin again at the next update. The number of active events is
         // limited by the number of joints, frames, signals and clients.
         while (_events.Count >= MaxEvents && OldestOfTheMostFrequentKind() is { } over) _events.Remove(over);
-        _events.Add(new StatusEvent(++_lastId, condition, since, until));
+        var before = Math.Max(0, (time.GetUtcNow() - since).TotalSeconds);
+        _events.Add(new StatusEvent(++_lastId, condition, since, until) { Began = time.GetTimestamp() - (long)(before * time.TimestampFrequency) });
         return $"event {_lastId}: {condition.Text}";
     }
 
@@ -94,7 +95,7 @@ sealed class EventList(TimeProvider time, Action<string, string> log)
 
     void Log(string line, Condition condition) => log(line, EventTexts.OtherEvents(condition.Kind));
 
-    static string EndLine(StatusEvent ended) => string.Create(
+    string EndLine(StatusEvent ended) => string.Create(
         CultureInfo.InvariantCulture,
-        $"event {ended.Id}: ended after {(ended.Until.Value - ended.Since).TotalSeconds:0.0} s: {ended.Condition.Headline}");
+        $"event {ended.Id}: ended after {time.GetElapsedTime(ended.Began).TotalSeconds:0.0} s: {ended.Condition.Headline}");
 }

@@ -41,6 +41,20 @@ public class EventListTests
         Assert.That(_log[1], Does.Contain("ended after 10.0 s").And.Contain("joint a"));
     }
 
+    [TestCase(3600)]
+    [TestCase(-3600)]
+    public void Update_SystemClockIsSet_LogsTheDuration(int seconds)
+    {
+        _time.Advance(TimeSpan.FromSeconds(10));
+        _events.Update([Joint("a", since: _time.GetUtcNow() - TimeSpan.FromSeconds(2))]);
+        _time.Advance(TimeSpan.FromSeconds(3));
+
+        _time.Correct(TimeSpan.FromSeconds(seconds));
+        _events.Update([]);
+
+        Assert.That(_log[1], Does.Contain("ended after 5.0 s"));
+    }
+
     [Test]
     public void Update_LineEndsInNameAndReason_WritesOneLogLinePerChange()
     {
