@@ -56,6 +56,11 @@ public class CellFaultTests
         var expected = $"frame orph (gateway) {EventTexts.IsOrphan}: {CellReasons.ParentMissing("nowhere")}. {EventRemedies.Parent}";
         Assert.That(await StatusAsync(), Is.EqualTo(("warning", expected)));
 
+        _gateway.Time.Correct(TimeSpan.FromHours(-1));
+        Publish(Frame("orph", "nowhere"));
+
+        Assert.That(await StatusAsync(), Is.EqualTo(("warning", expected)), "the system clock was set back");
+
         Publish(Frame("nowhere"));
 
         Assert.That(await FrameAsync("orph"), Is.EqualTo(("live", (string)null)));
