@@ -1,4 +1,5 @@
 using System;
+using System.Globalization;
 using Nowpose.Counter;
 using Nowpose.Messages;
 using NUnit.Framework;
@@ -114,7 +115,7 @@ namespace Nowpose.Tests.Core
             var isPaired = CounterPairing.TryMeasure(() => new FaultyCounter(frequency, 0), device.Stopwatch, out _, out var fault);
 
             Assert.That(isPaired, Is.False);
-            Assert.That(fault, Does.Contain(frequency + " Hz"));
+            Assert.That(fault, Does.Contain(frequency.ToString(CultureInfo.InvariantCulture) + " Hz"));
         }
 
         [Test]

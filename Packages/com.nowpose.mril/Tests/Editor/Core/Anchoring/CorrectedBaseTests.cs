@@ -1,4 +1,5 @@
 using System;
+using System.Globalization;
 using System.Linq;
 using Nowpose.Anchoring;
 using Nowpose.Kinematics;
@@ -33,8 +34,8 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(Tracker.State, Is.EqualTo(expected));
             Assert.That(Tracker.Base.Value.DistanceTo(_cell.Base), Is.LessThan(1e-9), "the correction is followed");
             if (expected == BaseAnchorState.Restored)
-                Assert.That(Tracker.Words, Is.EqualTo(
-                    BaseStatusMessages.Unconfirmed((int)(1000 * metres), degrees.ToString("0.0"), hasMarkers: true, null)));
+                Assert.That(Tracker.Words, Is.EqualTo(BaseStatusMessages.Unconfirmed(
+                    (int)(1000 * metres), degrees.ToString("0.0", CultureInfo.InvariantCulture), hasMarkers: true, null)));
             _cell.IsInView = _ => true;
             _cell.Run(1);
             Assert.That((Tracker.State, Tracker.Lock.Markers), Is.EqualTo((BaseAnchorState.Locked, 3)), "the markers confirm it");
