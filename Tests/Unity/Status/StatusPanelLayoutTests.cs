@@ -44,6 +44,26 @@ public class StatusPanelLayoutTests
         Assert.That(_played.Sheet.Find("Ground"), Is.Null);
     }
 
+    /// <summary>After a month, a time in s as float has a resolution of 0.25 s.</summary>
+    [TestCase(0)]
+    [TestCase(30 * 86_400)]
+    public void LateUpdate_AfterDays_UpdatesAtTheRefreshInterval(double start)
+    {
+        _played.Panel.With("_refreshSeconds", 0.1f);
+        _played.Session.gameObject.SetActive(true);
+        var distances = new HashSet<float?>();
+
+        // The viewer moves away, so that each update changes the distance.
+        for (var frame = 1; frame <= 60; frame++)
+        {
+            _played.Camera.transform.position = new Vector3(0, 0, 2 - MathF.Pow(1.12f, frame));
+            _played.Cell.Player.Step(start + frame / 60.0);
+            distances.Add(_played.Panel.LegibleMetres);
+        }
+
+        Assert.That(distances, Has.Count.InRange(9, 11));
+    }
+
     [TestCase(1)]
     [TestCase(2)]
     [TestCase(5)]

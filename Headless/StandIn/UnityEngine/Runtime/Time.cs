@@ -3,7 +3,6 @@ namespace UnityEngine;
 public class Time
 {
     public static float time => (float)Clock.Scaled;
-    public static float unscaledTime => (float)unscaledTimeAsDouble;
     public static double unscaledTimeAsDouble => Clock.Real;
     public static float unscaledDeltaTime => (float)Clock.RealDelta;
     public static float realtimeSinceStartup => (float)realtimeSinceStartupAsDouble;

@@ -16,7 +16,7 @@ namespace Nowpose.ArFoundation
 
         readonly Pose _world;
         XRAnchorSubsystem _device;
-        float _askAt;
+        double _askAt;
         volatile bool _isAsking;
         bool _isReleased;
 
@@ -33,8 +33,8 @@ namespace Nowpose.ArFoundation
         /// <param name="session">Origin of the device's session in the scene.</param>
         public void Follow(XRAnchorSubsystem device, Transform session)
         {
-            if (_isAsking || Id != TrackableId.invalidId || Time.unscaledTime < _askAt) return;
-            _askAt = Time.unscaledTime + AskEverySeconds;
+            if (_isAsking || Id != TrackableId.invalidId || Time.unscaledTimeAsDouble < _askAt) return;
+            _askAt = Time.unscaledTimeAsDouble + AskEverySeconds;
             _device = device;
             Problem ??= DeviceMessages.AnchorNotCreated;
             Ask(new Pose(session.InverseTransformPoint(_world.position), Quaternion.Inverse(session.rotation) * _world.rotation));

@@ -15,7 +15,7 @@ namespace Nowpose.ArFoundation
         readonly ArSpatialAnchors _owner;
         readonly ArSpatialAnchor _anchor;
         string _wanted;
-        float _next;
+        double _next;
         int _tries;
 
         public AnchorKeeping(ArSpatialAnchors owner, ArSpatialAnchor anchor)
@@ -53,14 +53,14 @@ namespace Nowpose.ArFoundation
         /// <summary>Tries to save the anchor if a save is pending. Call once per frame while the device tracks the anchor.</summary>
         public void Follow(TrackableId id)
         {
-            if (_wanted == null || Time.unscaledTime < _next) return;
+            if (_wanted == null || Time.unscaledTimeAsDouble < _next) return;
             if (!_owner.IsReady)
             {
                 Problem = _owner.StoreProblem;
                 return;
             }
             var store = _owner.Store;
-            _next = Time.unscaledTime + TryEverySeconds;
+            _next = Time.unscaledTimeAsDouble + TryEverySeconds;
             if (store.TryKeep(id, _wanted)) Kept();
             else if (++_tries < MaxAttempts) Problem = DeviceMessages.NotStoredYet;
             else GiveUp(store);

@@ -23,7 +23,7 @@ namespace Nowpose.ArFoundation
         readonly AnchorCreation _creation;
         readonly TrackableId _loaded;
         readonly AnchorKeeping _keeping;
-        readonly float _since;
+        readonly double _since;
         ARAnchor _anchor;
         XRAnchorSubsystem _subsystem;
         SpatialAnchorState _state;
@@ -50,7 +50,7 @@ namespace Nowpose.ArFoundation
         {
             _owner = owner;
             _keeping = new AnchorKeeping(owner, this);
-            _since = Time.unscaledTime;
+            _since = Time.unscaledTimeAsDouble;
         }
 
         // While the owner is switched off, the state that it updated last may no longer be true.
@@ -87,7 +87,7 @@ namespace Nowpose.ArFoundation
             if (_anchor == null)
             {
                 if (_wasThere) End(DeviceMessages.AnchorRemoved);
-                else if (!IsLoaded && Time.unscaledTime - _since > CreationTimeoutSeconds)
+                else if (!IsLoaded && Time.unscaledTimeAsDouble - _since > CreationTimeoutSeconds)
                     End(_owner.Problem ?? _creation.Problem ?? DeviceMessages.NoAnchors);
                 return;
             }

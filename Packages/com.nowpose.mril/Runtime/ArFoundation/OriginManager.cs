@@ -26,7 +26,7 @@ namespace Nowpose.ArFoundation
         // Composed once, because the problem is found again in each frame.
         readonly string _noManager, _managerOff, _notOffered, _notRunning;
         XROrigin _origin;
-        float? _since;
+        double? _since;
         bool _wasDisplaying, _isOurs;
 
         /// <param name="subsystemOf">Returns the subsystem that the XR runtime provides for the manager; null if the runtime provides none.</param>
@@ -70,7 +70,7 @@ namespace Nowpose.ArFoundation
             else if (Manager != null && subsystem?.running != true) TryAgainWhenXrStarts();
             var problem = ProblemOf(assigned, subsystem);
             if (problem == null) _since = null;
-            else if (Time.unscaledTime - (_since ??= Time.unscaledTime) < ReportDelaySeconds) return false;
+            else if (Time.unscaledTimeAsDouble - (_since ??= Time.unscaledTimeAsDouble) < ReportDelaySeconds) return false;
             if (problem == Problem) return false;
             Problem = problem;
             return true;

@@ -43,7 +43,7 @@ namespace Nowpose.Mrtk3
         const float ReadingSeconds = 0.5f;
 
         [NonSerialized] string _shown = "";
-        float _shownAt;
+        double _shownAt;
 
         /// <summary>
         /// Accepts the gateway. The event of the accept button must call this method. Does nothing in the first half second after the question
@@ -63,7 +63,7 @@ namespace Nowpose.Mrtk3
             if (IsRead) _pairing.Refuse();
         }
 
-        bool IsRead => _pairing != null && _pairing.Question == _shown && Time.unscaledTime - _shownAt >= ReadingSeconds;
+        bool IsRead => _pairing != null && _pairing.Question == _shown && Time.unscaledTimeAsDouble - _shownAt >= ReadingSeconds;
 
         void OnEnable()
         {
@@ -82,7 +82,7 @@ namespace Nowpose.Mrtk3
         void Show(string question)
         {
             _shown = question;
-            _shownAt = Time.unscaledTime;
+            _shownAt = Time.unscaledTimeAsDouble;
             if (_question != null) _question.text = question == null ? "" : WrappedText.Of(question, LineWidth);
             if (_content != null) _content.SetActive(question != null);
             if (question == null) return;

@@ -32,7 +32,7 @@ namespace Nowpose.Mrtk3
         readonly Dictionary<string, UnityEvent> _registered = new Dictionary<string, UnityEvent>();
         readonly HashSet<string> _own = new HashSet<string>();
         IKeywordRecognitionSubsystem _recognition;
-        float _since;
+        double _since;
         bool _isReported, _isUnsupported;
 
         public IReadOnlyList<VoiceCommand> Commands => _commands;
@@ -42,7 +42,7 @@ namespace Nowpose.Mrtk3
 
         void OnEnable()
         {
-            _since = Time.unscaledTime;
+            _since = Time.unscaledTimeAsDouble;
             _isReported = false;
             _isUnsupported = false;
         }
@@ -60,7 +60,7 @@ namespace Nowpose.Mrtk3
         {
             Unregister();
             _recognition = XRSubsystemHelpers.KeywordRecognitionSubsystem;
-            if (_recognition != null || _isReported || Time.unscaledTime - _since <= ReportDelaySeconds) return;
+            if (_recognition != null || _isReported || Time.unscaledTimeAsDouble - _since <= ReportDelaySeconds) return;
             _isReported = true;
             ConsoleLog.Info(this, Mrtk3Messages.VoiceNotRunning(name));
         }

@@ -31,7 +31,7 @@ namespace Nowpose.OpenXR
         Task<XRAnchorStore> _loading;
         XRAnchorStore _store;
         XRAnchorSubsystem _of;
-        float _next;
+        double _next;
         int _asked;
 
         public bool IsReady => _store != null;
@@ -81,7 +81,7 @@ namespace Nowpose.OpenXR
             if (subsystem != _of) Restart(subsystem);
             if (_store != null || subsystem == null) return;
             if (_loading != null) Take();
-            else if (_anchors.IsRunning && Time.unscaledTime >= _next) Ask();
+            else if (_anchors.IsRunning && Time.unscaledTimeAsDouble >= _next) Ask();
         }
 
         // The runtime has restarted, so the old store is no longer valid.
@@ -96,7 +96,7 @@ namespace Nowpose.OpenXR
 
         void Ask()
         {
-            _next = Time.unscaledTime + AskEverySeconds;
+            _next = Time.unscaledTimeAsDouble + AskEverySeconds;
             _asked++;
             try
             {

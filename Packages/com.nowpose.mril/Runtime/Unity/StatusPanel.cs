@@ -45,7 +45,7 @@ namespace Nowpose.Unity
         CellPairing _pairing;
         LatencyNudge _nudge;
         ReadingDistance _distance;
-        float _due;
+        double _due;
 
         internal StatusTexts Texts => _texts;
 
@@ -75,8 +75,8 @@ namespace Nowpose.Unity
 
         void LateUpdate()
         {
-            if (_cell == null || Time.unscaledTime < _due) return;
-            _due = Time.unscaledTime + _refreshSeconds;
+            if (_cell == null || Time.unscaledTimeAsDouble < _due) return;
+            _due = Time.unscaledTimeAsDouble + _refreshSeconds;
             if (Cells == null || Cells.IsDestroyed) MakeCells();
             _texts.ShowsJointErrors = _showJoints;
             if (_source == null) _texts.Update(null, null, null, null);

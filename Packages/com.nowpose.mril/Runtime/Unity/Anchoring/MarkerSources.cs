@@ -14,7 +14,7 @@ namespace Nowpose.Unity.Anchoring
 
         readonly List<IMarkerSource> _sources = new List<IMarkerSource>();
         readonly List<MarkerSighting> _sightings = new List<MarkerSighting>();
-        float _due;
+        double _due;
 
         /// <summary>Result of the last search. It may contain sources that have since been disabled or destroyed.</summary>
         public List<IMarkerSource> Found => _sources;
@@ -26,8 +26,8 @@ namespace Nowpose.Unity.Anchoring
         /// <returns>True if it searched.</returns>
         public bool Find(Component root)
         {
-            if (Time.unscaledTime < _due) return false;
-            _due = Time.unscaledTime + Seconds;
+            if (Time.unscaledTimeAsDouble < _due) return false;
+            _due = Time.unscaledTimeAsDouble + Seconds;
             root.GetComponentsInChildren(true, _sources);
             return true;
         }
