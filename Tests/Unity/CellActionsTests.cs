@@ -73,6 +73,21 @@ public sealed class CellActionsTests
     }
 
     [Test]
+    public void Actions_NeverEnabled_ChangePanelAndOpacity()
+    {
+        var menu = new GameObject("Menu");
+        menu.SetActive(false);
+        menu.transform.SetParent(_session.transform, false);
+        var actions = menu.AddComponent<CellActions>();
+        var isShown = _actions.IsPanelShown;
+
+        actions.TogglePanel();
+        actions.ChangeOpacity(-0.75f);
+
+        Assert.That((_actions.IsPanelShown, _actions.Opacity), Is.EqualTo((!isShown, 0.25f)));
+    }
+
+    [Test]
     public void ToggleGhost_Hidden_IsShown()
     {
         _actions.ToggleGhost();

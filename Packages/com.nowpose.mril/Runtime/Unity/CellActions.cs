@@ -108,6 +108,7 @@ namespace Nowpose.Unity
         /// </summary>
         public void ForgetCell()
         {
+            FindParts();
             if (Has(_pairing, "cell pairing")) _pairing.AskToForget();
         }
 
@@ -131,10 +132,15 @@ namespace Nowpose.Unity
         /// <summary>Enables or disables occlusion. If disabled, the whole gripper is drawn, including parts behind the real arm.</summary>
         public void SetOcclusion(bool on) => _occlusion.Set(on);
 
-        public void TogglePanel() => SetPanel(!IsPanelShown);
+        public void TogglePanel()
+        {
+            FindParts();
+            SetPanel(!IsPanelShown);
+        }
 
         public void SetPanel(bool shown)
         {
+            FindParts();
             if (Has(_panel, "status panel")) _panel.gameObject.SetActive(shown);
         }
 
@@ -144,6 +150,7 @@ namespace Nowpose.Unity
         /// </summary>
         public void SetOpacity(float opacity)
         {
+            FindParts();
             if (!Has(_appearance, "pose appearance")) return;
             _appearance.Opacity = opacity;
             foreach (var gripper in _appearance.GetComponentsInChildren<VirtualGripper>(true))
@@ -151,7 +158,11 @@ namespace Nowpose.Unity
         }
 
         /// <summary>Adds a difference to the opacity. A button can call this method. A negative difference makes the robot fainter.</summary>
-        public void ChangeOpacity(float by) => SetOpacity(Opacity + by);
+        public void ChangeOpacity(float by)
+        {
+            FindParts();
+            SetOpacity(Opacity + by);
+        }
 
         /// <summary>
         /// Sets <see cref="NudgeMs"/>, −50 to 50 ms. A slider can call this method. A positive value predicts further ahead. A new calibration resets
@@ -195,9 +206,7 @@ namespace Nowpose.Unity
         {
             _source = this.SessionOr(_session);
             if (!Has(_source, "session")) return;
-            if (_panel == null) _panel = _source.GetComponentInChildren<StatusPanel>(true);
-            if (_pairing == null) _pairing = _source.GetComponentInChildren<CellPairing>(true);
-            if (_appearance == null) _appearance = DisplayedBelow(_source);
+            FindParts();
             _occlusion.Begin(_source, _occluder);
             _lastRaised = State;
         }
@@ -242,6 +251,16 @@ namespace Nowpose.Unity
                 ConsoleLog.Warn(this, ComponentMessages.NoCalibration(name));
                 return null;
             }
+        }
+
+        // The actions also call this method, because they may run before this component is first enabled.
+        void FindParts()
+        {
+            var session = Session;
+            if (session == null) return;
+            if (_panel == null) _panel = session.GetComponentInChildren<StatusPanel>(true);
+            if (_pairing == null) _pairing = session.GetComponentInChildren<CellPairing>(true);
+            if (_appearance == null) _appearance = DisplayedBelow(session);
         }
 
         // Ghosts may have been added since the last call.
