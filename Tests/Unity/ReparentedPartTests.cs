@@ -7,6 +7,7 @@ using Nowpose.Unity.Messages;
 using Nowpose.Unity.Tests.Rendering;
 using NUnit.Framework;
 using UnityEngine;
+using UnityEngine.Events;
 
 namespace Nowpose.Unity.Tests;
 
@@ -47,6 +48,31 @@ public class ReparentedPartTests : PlayedParts
         Run(0.5);
 
         Assert.That((signal.Value, part.Share), Is.EqualTo(((double?)1, 1f)));
+    }
+
+    [TestCase(true)]
+    [TestCase(false)]
+    public void Signal_NoLongerWithASession_RaisesThatItIsNotCurrent(bool isMoved)
+    {
+        var (onNotCurrent, reasons) = (new UnityEvent<string>(), new List<string>());
+        onNotCurrent.AddListener(reasons.Add);
+        var signal = Below<CellSignal>("closed", _session.transform).With("_onNotCurrent", onNotCurrent);
+        if (!isMoved)
+        {
+            signal.transform.SetParent(null);
+            signal.Follow(_session);
+        }
+        Run(1);
+        SendSignal("closed", _cell.Now - 1, 1);
+        Run(0.5);
+        Assert.That(signal.Fault, Is.Null);
+        reasons.Clear();
+
+        if (isMoved) signal.transform.SetParent(null);
+        else signal.Follow(null);
+        Run(0.5);
+
+        Assert.That(reasons, Is.EqualTo(new[] { StatusMessages.NoSession }));
     }
 
     [Test]

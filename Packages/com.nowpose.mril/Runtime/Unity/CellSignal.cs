@@ -72,6 +72,7 @@ namespace Nowpose.Unity
         readonly AppearancesOfParts _appearances = new AppearancesOfParts();
         SignalFollower _follower;
         bool? _isOn;
+        bool _isMissingReported;
         [NonSerialized] string _disabled;
 
         /// <summary>Name of the signal.</summary>
@@ -121,23 +122,20 @@ namespace Nowpose.Unity
 
         void OnEnable()
         {
-            _isOn = null;
+            (_isOn, _isMissingReported) = (null, false);
             _follower = SignalFollower.Of(this, _session, "signal", Signal, Take, judged: Judge);
             _appearances.RefreshIfMoved(this);
             _disabled = null;
         }
 
         // Before the session computes its first frame, the value is not current. In OnEnable, other objects may not be ready for the event yet.
-        void Start()
-        {
-            if (_follower != null) _follower.Update(null);
-            else Judge(Fault);
-        }
+        void Start() => _follower?.Update(null);
 
         // The session may have ended. While its component is being disabled, no event is raised, because a listener must not switch objects then.
         void LateUpdate()
         {
-            if (_follower != null && _follower.Source.Session == null) _follower.Judge();
+            if (_follower == null) ReportMissing();
+            else if (_follower.Source.Session == null) _follower.Judge();
         }
 
         void OnDisable()
@@ -156,6 +154,14 @@ namespace Nowpose.Unity
         {
             if (fault == null) _onCurrent.Raise(this);
             else _onNotCurrent.Raise(this, fault);
+        }
+
+        // Without a session component, no follower reports the reason.
+        void ReportMissing()
+        {
+            if (_isMissingReported) return;
+            _isMissingReported = true;
+            Judge(Fault);
         }
 
         void OnTransformParentChanged()
