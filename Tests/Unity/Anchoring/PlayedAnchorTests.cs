@@ -38,6 +38,24 @@ public class PlayedAnchorTests
         Assert.That(_played.Logged, Is.Empty);
     }
 
+    [TestCase(true)]
+    [TestCase(false)]
+    public void Place_StoredPoseNotYetRestored_KeepsThePlacedPose(bool isEnabledFirst)
+    {
+        var device = _played.Session.gameObject.AddComponent<FakeSpatialAnchors>();
+        (device.KeptAs, device.Pose) = ("cell 7", Base);
+        _played.Markers.IsBlind = true;
+        _played.Anchor.With("_markers", new List<AnchorMarker> { Marker }).With("_cell", "cell 7");
+        _played.Session.gameObject.SetActive(isEnabledFirst);
+
+        _played.Anchor.Place(new Vector3(1, 2, 3), Quaternion.identity);
+        _played.Session.gameObject.SetActive(true);
+        _played.Cell.Run(1, _played.Session);
+
+        Assert.That(_played.Anchor.transform.position, Is.EqualTo(new Vector3(1, 2, 3)));
+        Assert.That(_played.Anchor.State, Is.EqualTo(BaseAnchorState.Searching));
+    }
+
     [Test]
     public void LockedBase_DeviceLosesOrMovesItsAnchor_IsLoggedOnceAndShown()
     {

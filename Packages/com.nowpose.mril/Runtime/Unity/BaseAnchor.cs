@@ -113,7 +113,7 @@ namespace Nowpose.Unity
 
         /// <summary>
         /// Tracker that determines the base from the markers; provides the state, the lock and each marker. Null before this component is first
-        /// enabled, and while its fields are invalid.
+        /// enabled, placed or given markers, and while its fields are invalid.
         /// </summary>
         public BaseTracker Tracker { get; private set; }
 
@@ -189,6 +189,7 @@ namespace Nowpose.Unity
             if (!float.IsFinite(position.x + position.y + position.z)) throw new ArgumentException(BaseMessages.PositionNotFinite(position), nameof(position));
             if (!(length > 0) || float.IsInfinity(length)) throw new ArgumentException(BaseMessages.RotationInvalid(rotation), nameof(rotation));
             transform.SetPositionAndRotation(position, new Quaternion(rotation.x / length, rotation.y / length, rotation.z / length, rotation.w / length));
+            if (Tracker == null) TrackFields(); // Otherwise, the device would restore its stored pose instead when this component is first enabled.
         }
 
         void OnEnable()
