@@ -91,6 +91,18 @@ public sealed class GraspableTests
     }
 
     [Test]
+    public void Panel_PinnedBeforeItIsFirstActive_Stays()
+    {
+        var follow = _object.AddComponent<BodyFollow>();
+        var panel = _object.AddComponent<GraspablePanel>();
+
+        panel.SetPinned(true);
+        _object.SetActive(true);
+
+        Assert.That((follow.enabled, panel.IsPinned), Is.EqualTo((false, true)));
+    }
+
+    [Test]
     public void Panel_Grasped_StaysUntilFollowIsPressed()
     {
         var follow = _object.AddComponent<BodyFollow>();

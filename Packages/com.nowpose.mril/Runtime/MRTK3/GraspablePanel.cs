@@ -23,20 +23,29 @@ namespace Nowpose.Mrtk3
         StatefulInteractable _pin = null;
 
         /// <summary>Whether the panel is pinned in place.</summary>
-        public bool IsPinned => _follow != null && !_follow.enabled;
+        public bool IsPinned => Follow != null && !Follow.enabled;
 
         public void TogglePinned() => SetPinned(!IsPinned);
 
         public void SetPinned(bool pinned)
         {
-            if (_follow != null) _follow.enabled = !pinned;
+            if (Follow != null) Follow.enabled = !pinned;
+        }
+
+        // A script may pin the panel before this component is first enabled.
+        BodyFollow Follow
+        {
+            get
+            {
+                if (_follow == null) TryGetComponent(out _follow);
+                return _follow;
+            }
         }
 
         void OnEnable()
         {
-            if (_follow == null) _follow = GetComponent<BodyFollow>();
             if (_manipulator == null) _manipulator = GetComponent<ObjectManipulator>();
-            if (_follow == null) ConsoleLog.Warn(this, Mrtk3Messages.PanelWithoutFollow(name));
+            if (Follow == null) ConsoleLog.Warn(this, Mrtk3Messages.PanelWithoutFollow(name));
             if (_manipulator == null) ConsoleLog.Warn(this, Mrtk3Messages.PanelWithoutManipulator(name));
             else _manipulator.firstSelectEntered.AddListener(Grasp);
         }
