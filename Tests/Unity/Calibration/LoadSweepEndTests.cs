@@ -73,6 +73,17 @@ public sealed class LoadSweepEndTests
     }
 
     [Test]
+    public void Disable_DuringTheEvaluation_StatesThatTheSweepIsStopped()
+    {
+        _played.Play();
+        _played.Sweep.StartSweep();
+
+        _played.Run(20, seen: () => _played.Sweep.enabled &= _played.Sweep.Words != LoadSweepMessages.Judging);
+
+        Assert.That((_played.Sweep.enabled, _played.Sweep.Words), Is.EqualTo((false, LoadSweepMessages.Stopped)));
+    }
+
+    [Test]
     public async Task Folder_CannotBeCreated_IsLoggedOnceAndEndsTheSweep()
     {
         File.WriteAllText(_played.Folder, "a file where the folder should be");

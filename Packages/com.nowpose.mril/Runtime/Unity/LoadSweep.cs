@@ -83,7 +83,7 @@ namespace Nowpose.Unity
         SweepFile _file;
         SweepFrame? _frame;
         Task<LoadSensitivity> _judging;
-        Task _closing = Task.CompletedTask;
+        Task<LoadSensitivity> _closing = Task.FromResult<LoadSensitivity>(null);
         DisplayConditions _conditions;
         double _displayHz;
         int _verticesBefore;
@@ -141,6 +141,7 @@ namespace Nowpose.Unity
         void OnDisable()
         {
             StopSweep();
+            if (_judging != null) ShowText(LoadSweepMessages.Stopped);
             _judging = null;
         }
 
@@ -253,9 +254,7 @@ namespace Nowpose.Unity
             _run = null;
             // When the scene is unloaded, the generator may already be destroyed.
             if (_generator != null) _generator.Vertices = _verticesBefore;
-            var closing = _file.CloseAsync();
-            _closing = closing;
-            return closing;
+            return _closing = _file.CloseAsync();
         }
 
         void Conclude()
