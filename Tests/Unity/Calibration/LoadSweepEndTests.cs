@@ -154,6 +154,18 @@ public sealed class LoadSweepEndTests
     }
 
     [Test]
+    public void StartSweep_Disabled_IsReported()
+    {
+        _played.Play();
+        _played.Sweep.enabled = false;
+
+        _played.Sweep.StartSweep();
+
+        Assert.That(_played.Sweep.Problem, Is.EqualTo("load sweep 'Cell' " + ComponentMessages.SweepDisabled));
+        Assert.That(_played.Sweep.IsRunning, Is.False);
+    }
+
+    [Test]
     public void StartSweep_PlanOutOfRange_IsReported()
     {
         _played.Play();

@@ -113,12 +113,13 @@ namespace Nowpose.Unity
         /// <summary>Starts a sweep from the first load, with a new log. Does nothing while a sweep is running.</summary>
         public void StartSweep()
         {
-            if (IsRunning || !isActiveAndEnabled) return;
+            if (IsRunning) return;
             (_judging, Verdict, Problem) = (null, null, null);
             _source = this.SessionOr(_session);
             _generator = _load != null ? _load : GetComponentInChildren<LoadGenerator>(true);
             _measures = _renderTime != null ? _renderTime : _source != null ? _source.GetComponentInChildren<RenderTimeSource>() : null;
-            if (_source == null) Fail(ComponentMessages.NoSession);
+            if (!isActiveAndEnabled) Fail(ComponentMessages.SweepDisabled);
+            else if (_source == null) Fail(ComponentMessages.NoSession);
             else if (_generator == null) Fail(ComponentMessages.NoLoadGenerator);
             else if (_measures == null) Fail(ComponentMessages.NoRenderTimeSource);
             else Begin();
