@@ -7,6 +7,8 @@ import { fileURLToPath } from 'node:url';
 /** Runs the test files beside a file, one after the other, because some of them replace global functions. `file` is its URL. */
 export function together(file) {
   const folder = new URL('.', file);
+  // With --test-force-exit, Node.js ends the process without waiting for the pipe, so that the last results are lost if the reader is slow.
+  process.stdout._handle?.setBlocking?.(true);
   // Without a suite, Node.js would end after the tests of the files that are imported first.
   describe(basename(fileURLToPath(folder)), async () => {
     for (const name of readdirSync(folder)) if (name.endsWith('.test.mjs')) await import(new URL(name, folder).href);
