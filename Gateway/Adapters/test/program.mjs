@@ -3,12 +3,16 @@ import { spawn } from 'node:child_process';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parts } from './parts.mjs';
+import { moment } from './virtualTime.mjs';
 
 export const adapters = join(dirname(fileURLToPath(import.meta.url)), '..');
 const bundle = join(adapters, 'dist', 'plant.mjs');
 
 // Timeout of a wait. It is much longer than any event takes on a busy machine.
 const PATIENCE_MS = 60_000;
+
+/** The real time, ms, also in a test with virtual time. */
+const realTime = performance.now.bind(performance);
 
 const saidIn = run => text => until(() => (text instanceof RegExp ? text.test(run.err) : run.err.includes(text)), () => `"${text}" in:\n${run.err}`);
 
@@ -61,11 +65,11 @@ export async function check(test, path, env, launch = start) {
 
 /** Waits until `holds` returns a truthy value, and returns that value. After the timeout it throws an error with the description `what`. */
 export async function until(holds, what) {
-  const end = performance.now() + PATIENCE_MS;
+  const end = realTime() + PATIENCE_MS;
   for (;;) {
     const value = await holds();
     if (value) return value;
-    if (performance.now() > end) throw new Error(`waited ${PATIENCE_MS} ms for ${typeof what === 'function' ? what() : what}`);
-    await new Promise(resolve => setTimeout(resolve, 10));
+    if (realTime() > end) throw new Error(`waited ${PATIENCE_MS} ms for ${typeof what === 'function' ? what() : what}`);
+    await moment();
   }
 }

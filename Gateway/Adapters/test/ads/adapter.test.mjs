@@ -8,7 +8,7 @@ import { Plc } from './plc.mjs';
 import { PlcSymbol } from './symbols.mjs';
 import { angle, opening, variables, youBot } from './youbot.mjs';
 
-describe('ads', { concurrency: 4 }, () => {
+describe('ads', () => {
   it('Adapter_Notifications_GivePositionsAtTheirTimeStamps', async t => {
     const { bridge, server } = await cell(t, { plc: youBot({ cycleMs: 5, aheadMs: 40_000, ppm: 100 }) });
 

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { start, until } from '../program.mjs';
 import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
 import { temporaryFile } from '../temporary.mjs';
+import { VirtualTime } from '../virtualTime.mjs';
 import { AdsServer } from './server.mjs';
 import { angle, youBot } from './youbot.mjs';
 
@@ -22,6 +23,7 @@ ${joints ?? [0, 1, 2, 3, 4].map(i => `  - joint: arm_joint_${i + 1}\n    symbol:
 
 /** Starts a PLC, a test double of the gateway, and an adapter that connects them, with `launch`. */
 export async function cell(t, { plc = youBot({ cycleMs: 5 }), more, joints, local, server: options, launch = start } = {}) {
+  if (launch === start) VirtualTime.ofProcess(t);
   const server = new AdsServer(plc, options), port = await server.listen();
   t.after(() => server.close());
   const bridge = await RosbridgeDouble.start(t);

@@ -8,6 +8,7 @@ import { start, startProcess, until } from '../program.mjs';
 import { RosbridgeDouble } from '../rosbridge.mjs';
 import { seeded } from '../seeded.mjs';
 import { temporaryFile } from '../temporary.mjs';
+import { VirtualTime } from '../virtualTime.mjs';
 import { assertMatchesPlc, cell, clockOf, configuration, jointIs, NET_ID, statesOf } from './cell.mjs';
 import { command, state } from './frames.mjs';
 import { Plc } from './plc.mjs';
@@ -19,7 +20,7 @@ import { ANY, like, messages } from '../messages.mjs';
 const { adsMessages, symbolMessages } = messages;
 const { ReadOnlyClient } = await parts('ads/readOnlyClient');
 
-describe('faults over ADS', { concurrency: 4 }, () => {
+describe('faults over ADS', () => {
   it('Symbol_MissingInNewProgram_IsInFaultWhileOthersStayLive', async t => {
     const joints = '  - { joint: arm_joint_1, symbol: "GVL.aJoints[0]" }\n  - { joint: axis, symbol: MAIN.fAxis2, unit: deg }\n';
     const { plc, bridge } = await cell(t, { joints });
@@ -231,6 +232,7 @@ describe('faults over ADS', { concurrency: 4 }, () => {
   });
 
   it('Adapter_InvalidFrames_ContinuesToRun', async t => {
+    VirtualTime.ofProcess(t);
     const random = seeded(4711), connections = [];
     const server = createServer(socket => {
       connections.push(socket.on('error', () => {}));
@@ -246,15 +248,11 @@ describe('faults over ADS', { concurrency: 4 }, () => {
       });
     }).listen(0, '127.0.0.1');
     await once(server, 'listening');
-    t.after(() => {
-      connections.forEach(socket => socket.destroy());
-      server.close();
-    });
+    t.after(() => connections.concat(server).forEach(each => (each.destroy ?? each.close).call(each)));
     const bridge = await RosbridgeDouble.start(t);
     const adapter = start(t, [temporaryFile('ads.yaml', configuration({ port: server.address().port, url: bridge.url }))]);
 
     await until(() => connections.length >= 4, () => adapter.err);
-
     await until(() => bridge.state?.state === 'waiting', () => JSON.stringify(bridge.state));
     assert.deepEqual(bridge.jointStates, []);
     assert.equal(adapter.status, undefined);

@@ -34,7 +34,7 @@ export class Notifications {
       client, server, indexGroup, indexOffset, length, transmission, interval: whole,
       maxDelay: BigInt(maxDelay) * 100n, due: this.#plc.cycleTime() + this.#plc.cycle,
     });
-    this.#timer ??= setInterval(() => this.#run(), 1);
+    this.#timer ??= setInterval(() => this.#run(), Number(this.#plc.cycle) / 1e6);
     return handle;
   }
 

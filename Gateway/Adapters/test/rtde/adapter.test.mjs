@@ -10,7 +10,7 @@ import { ARMS, JOINTS, cell, configuration, plantLines, seconds, statesOf } from
 
 const { configurationMessages, fieldMessages, robotMessages, rtdeMessages, rtdeSettingMessages } = messages;
 
-describe('rtde adapter', { concurrency: 4 }, () => {
+describe('rtde adapter', () => {
   it('Adapter_DataPackages_ArePublishedWithTheirTimestamp', async t => {
     const { bridge, robot } = await cell(t, undefined, { launch: startProcess });
 

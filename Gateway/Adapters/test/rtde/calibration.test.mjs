@@ -10,6 +10,7 @@ import { adapters, start, until } from '../program.mjs';
 import { RosbridgeDouble } from '../rosbridge.mjs';
 import { seeded } from '../seeded.mjs';
 import { temporaryFile } from '../temporary.mjs';
+import { VirtualTime } from '../virtualTime.mjs';
 import { byte, doubles, int } from './bytes.mjs';
 import { RtdeRobot } from './robot.mjs';
 import { ANY, like, messages } from '../messages.mjs';
@@ -75,6 +76,7 @@ function stateWith(own) {
 
 /** Starts a controller with RTDE and the primary interface, a gateway, and an adapter. */
 async function cell(t, talk) {
+  VirtualTime.ofProcess(t);
   const robot = await new RtdeRobot().listen(t), bridge = await RosbridgeDouble.start(t);
   const primary = createServer(talk);
   await new Promise(resolve => primary.listen(0, '127.0.0.1', resolve));

@@ -2,6 +2,7 @@
 import { start, until } from '../program.mjs';
 import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
 import { temporaryFile } from '../temporary.mjs';
+import { VirtualTime } from '../virtualTime.mjs';
 import { RtdeRobot } from './robot.mjs';
 
 export const ARMS = ['ur3e', 'ur5e', 'ur10e', 'ur16e', 'ur5'];
@@ -12,6 +13,7 @@ export const configuration = ({ url, port, host = '127.0.0.1', more = '', rest =
 
 /** Starts a controller, a gateway, and an adapter that connects them, with `launch`. */
 export async function cell(t, robot = new RtdeRobot(), { more, rest, launch = start } = {}) {
+  if (launch === start) VirtualTime.ofProcess(t);
   await robot.listen(t);
   const bridge = await RosbridgeDouble.start(t);
   return { robot, bridge, adapter: launch(t, [configuration({ url: bridge.url, port: robot.port, more, rest })]) };

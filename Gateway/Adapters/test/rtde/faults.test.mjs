@@ -5,6 +5,7 @@ import { describe, it } from 'node:test';
 import { start, until } from '../program.mjs';
 import { RosbridgeDouble } from '../rosbridge.mjs';
 import { seeded } from '../seeded.mjs';
+import { VirtualTime } from '../virtualTime.mjs';
 import { byte, packageOf } from './bytes.mjs';
 import { RtdeRobot } from './robot.mjs';
 import { ANY, like, messages } from '../messages.mjs';
@@ -15,7 +16,7 @@ const { fieldMessages, robotStateMessages, rtdeMessages, safetyStops } = message
 /** Whether the diagnostics warn of this state. An adapter that connects has a warning too. */
 const isWarned = (bridge, text) => bridge.status?.level === 1 && bridge.status.message.endsWith(text);
 
-describe('faults of an rtde plant', { concurrency: 4 }, () => {
+describe('faults of an rtde plant', () => {
   it('Robot_InProtectiveStop_IsReportedAndPositionsContinue', async t => {
     const { bridge, robot, adapter } = await cell(t);
     await statesOf(bridge);
@@ -148,6 +149,7 @@ describe('faults of an rtde plant', { concurrency: 4 }, () => {
   });
 
   it('Port_Closed_IsLoggedInOneLineAndConnectedWhenItOpens', async t => {
+    VirtualTime.ofProcess(t);
     const free = createServer();
     await new Promise(resolve => free.listen(0, '127.0.0.1', resolve));
     const { port } = free.address(), bridge = await RosbridgeDouble.start(t);
