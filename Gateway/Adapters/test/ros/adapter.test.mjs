@@ -12,7 +12,7 @@ const { configurationMessages, gatewayMessages, robotMessages, rosMessages, sile
 
 const plan = (robot, points, options) => robot.publish('/plan', { header: { stamp: robot.time(robot.now()) }, joint_names: ['a'], points }, options);
 
-describe('ros', { concurrency: 4 }, () => {
+describe('ros', () => {
   for (const ros of [1, 2])
     it(`Adapter_Ros${ros}_ForwardsJointStatesWithTheirTimeStamps`, async t => {
       const { robot, bridge } = await cell(t, { ros, aheadMs: 60_000 }, { launch: startProcess });

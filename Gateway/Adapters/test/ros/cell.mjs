@@ -2,10 +2,12 @@
 import { start, until } from '../program.mjs';
 import { RosbridgeDouble } from '../rosbridge.mjs';
 import { temporaryFile } from '../temporary.mjs';
+import { VirtualTime } from '../virtualTime.mjs';
 import { Robot } from './robot.mjs';
 
 /** Starts a robot, a test double of the gateway, and an adapter that connects them, with `launch`. Waits until the adapter has subscribed. */
 export async function cell(t, options = {}, { plant = '', rest = '', launch = start } = {}) {
+  if (launch === start) VirtualTime.ofProcess(t);
   const robot = options.robot ?? await Robot.start(t, options), bridge = await RosbridgeDouble.start(t);
   const path = temporaryFile('ros.yaml', `gateway: { url: "${bridge.url}" }\nplant:\n  kind: ros\n  name: arm\n  endpoint: ${robot.url}\n${plant}${rest}`);
   const adapter = launch(t, [path]);

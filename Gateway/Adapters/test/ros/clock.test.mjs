@@ -8,7 +8,7 @@ import { messages } from '../messages.mjs';
 
 const { rosMessages } = messages;
 
-describe('the clock of ros', { concurrency: 4 }, () => {
+describe('the clock of ros', () => {
   it('Clock_Read_IsBetweenRequestAndAnswer', async t => {
     const { robot, bridge } = await cell(t, { aheadMs: -5000 });
 

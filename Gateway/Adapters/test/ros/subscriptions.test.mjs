@@ -11,7 +11,7 @@ import { Robot } from './robot.mjs';
 const { rosMessages } = messages;
 const { renewing } = await parts('ros/subscriptionRenewals');
 
-describe('subscriptions of ros', { concurrency: 4 }, () => {
+describe('subscriptions of ros', () => {
   it('Subscriptions_PublishersOfRos2StartLater_ReceiveTheirMessages', async t => {
     const { robot, bridge } = await cell(t), publishing = setInterval(() => robot.jointState(robot.now(), ['a'], [1], [], { isBestEffort: true }), 50);
     t.after(() => clearInterval(publishing));
