@@ -12,7 +12,7 @@ const HOUR_MS = 3_600_000;
 const MS = 1_000_000n;
 const JOINT = { joint: 'a', node: 'ns=1;s=arm_joint_2' };
 
-describe('clock of a plant without joints', { concurrency: 2 }, () => {
+describe('clock of a plant without joints', () => {
   for (const plant of [[], ['time: {node: "ns=1;s=time_ns"}']])
     it(`Clock_PlantWithoutJoints${plant.length > 0 ? 'WithTimeVariable' : ''}_IsOffered`, async t => {
       const server = await serverFor(t, { clock: new ControlClock({ offsetMs: HOUR_MS }) });

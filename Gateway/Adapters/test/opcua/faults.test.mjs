@@ -73,7 +73,7 @@ describe('faults', () => {
       await ended;
     });
     await once(child.stdout, 'data');
-    const { bridge, state, states } = await adapterFor(t, { endpoint: `opc.tcp://127.0.0.1:${port}` }, OPEN, JOINTS);
+    const { bridge, state, states } = await adapterFor(t, { endpoint: `opc.tcp://127.0.0.1:${port}` }, OPEN, JOINTS, { isAlone: false });
     await states(5);
 
     child.kill('SIGSTOP');

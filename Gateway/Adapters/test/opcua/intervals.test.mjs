@@ -12,7 +12,7 @@ const { opcuaMessages } = messages;
 
 const JOINTS = ['arm_joint_1', 'arm_joint_2'].map(joint => ({ joint, node: `ns=1;s=${joint}` }));
 
-describe('minimum intervals of an OPC UA server', { concurrency: 2 }, () => {
+describe('minimum intervals of an OPC UA server', () => {
   for (const [minimumMs, plant, notice] of [
     [50, [], undefined],
     // The default of Codesys.

@@ -10,7 +10,7 @@ const { nodeMessages } = messages;
 const LATE = 'urn:late', NODE = `nsu=${LATE};s=x`;
 const JOINTS = [{ joint: 'a', node: 'ns=1;s=arm_joint_1' }, { joint: 'z', node: NODE }];
 
-describe('namespaces of nodes', { concurrency: 2 }, () => {
+describe('namespaces of nodes', () => {
   it('Namespace_UnknownForOneJoint_JointIsMissingAndTheOtherIsLive', async t => {
     const server = await serverFor(t), { bridge, path, states } = await adapterFor(t, server, OPEN, JOINTS);
     const text = nodeMessages.namespaces(nodeMessages.noNamespace(`${path}, line 12: joints[1].node`, NODE), server.namespaces());

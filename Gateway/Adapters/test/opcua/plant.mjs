@@ -2,6 +2,7 @@
 import { start, until } from '../program.mjs';
 import { RosbridgeDouble } from '../rosbridge.mjs';
 import { temporaryFile, temporaryFolder } from '../temporary.mjs';
+import { VirtualTime } from '../virtualTime.mjs';
 import { YoubotServer } from './server.mjs';
 
 /** Starts a server, which is stopped at the end of the suite. */
@@ -21,8 +22,9 @@ export function configuration(gateway, endpoint, plant, joints, more = '') {
     + plant.map(entry => `  ${entry}\n`).join('') + (list.length > 0 ? `joints:\n${list.join('')}` : 'joints: []\n');
 }
 
-/** Starts an adapter for a server and a test double of the gateway, with `launch`. */
-export async function adapterFor(test, server, plant, joints, { env, path, bridge, launch = start } = {}) {
+/** Starts an adapter for a server and a test double of the gateway, with `launch`; in virtual time unless another process takes part. */
+export async function adapterFor(test, server, plant, joints, { env, path, bridge, launch = start, isAlone = launch === start } = {}) {
+  if (isAlone) VirtualTime.ofProcess(test);
   bridge ??= await RosbridgeDouble.start(test);
   path ??= temporaryFile('plant.yaml', configuration(bridge.url, server.endpoint, plant, joints));
   const run = launch(test, [path], { env });

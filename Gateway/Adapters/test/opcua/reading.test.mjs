@@ -221,7 +221,7 @@ describe('reading over OPC UA', () => {
   });
 });
 
-describe('robot at rest', { concurrency: 2 }, () => {
+describe('robot at rest', () => {
   // Simulates a server that changes the time stamp of a value only when the value changes.
   const resting = names => {
     const kept = new Map();

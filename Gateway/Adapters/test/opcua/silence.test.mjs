@@ -39,7 +39,7 @@ async function assertOtherStaysLive(bridge, joint, other) {
   await until(() => bridge.joint(other).state === 'live', () => JSON.stringify(bridge.joint(other)));
 }
 
-describe('silence over OPC UA', { concurrency: 2 }, () => {
+describe('silence over OPC UA', () => {
   it('Joint_NodeDeletedAndRestored_IsInFaultThenLive', async t => {
     const { server, bridge, run, state } = await cell(t);
 
