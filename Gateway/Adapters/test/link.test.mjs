@@ -11,6 +11,7 @@ import { freePort } from './freePort.mjs';
 import { parts } from './parts.mjs';
 import { adapters, start, startProcess, until } from './program.mjs';
 import { RosbridgeDouble } from './rosbridge.mjs';
+import { VirtualTime } from './virtualTime.mjs';
 import { ANY, like, messages } from './messages.mjs';
 
 const { gatewayMessages, logMessages } = messages;
@@ -20,10 +21,25 @@ const TOKEN = 'a-token-of-a-source';
 
 /** Starts an adapter whose plant does not respond. */
 async function adapter(test, url, { launch = start, ...options } = {}) {
+  if (launch === start) VirtualTime.ofProcess(test);
   return launch(test, [configuration({ url, port: await freePort() })], options);
 }
 
-describe('link to the gateway', { concurrency: 3 }, () => {
+/** Starts a link to a test double of a gateway. `prepare` receives the link before it connects. */
+async function linkWith(test, prepare, events) {
+  VirtualTime.ofProcess(test);
+  const bridge = await RosbridgeDouble.start(test), ending = new AbortController();
+  const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}), 'gateway', events);
+  prepare(link);
+  const running = link.run(ending.signal);
+  test.after(() => {
+    ending.abort();
+    return running;
+  });
+  return bridge;
+}
+
+describe('link to the gateway', () => {
   let own, pin;
   before(async () => {
     own = await identity('urn:gateway');
@@ -66,8 +82,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
   });
 
   it('Pin_OfAnotherKey_ConnectionEndsAfterTheTlsHandshake', async t => {
-    const bridge = await RosbridgeDouble.start(t, { tls: tls() });
-    const other = `sha256/${'A'.repeat(43)}=`;
+    const bridge = await RosbridgeDouble.start(t, { tls: tls() }), other = `sha256/${'A'.repeat(43)}=`;
     const run = await adapter(t, bridge.url, { env: { NOWPOSE_TOKEN: TOKEN, NOWPOSE_PIN: other } });
 
     await run.said(gatewayMessages.otherPin('gateway', pin));
@@ -108,6 +123,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     });
 
   it('Connection_First_BeginsWithTheDiagnosticsThatNameTheAdapter', async t => {
+    VirtualTime.ofProcess(t);
     const bridge = await RosbridgeDouble.start(t);
     start(t, [configuration({ url: bridge.url, port: await freePort(), rest: 'robot: ur5e\n' })]);
 
@@ -117,6 +133,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
   });
 
   it('Robot_Configured_IsPublishedAfterEachConnection', async t => {
+    VirtualTime.ofProcess(t);
     const port = await freePort(), first = await RosbridgeDouble.start(t, { port });
     const path = configuration({ url: first.url, port: await freePort(), rest: 'joints: [{ joint: a, index: 0 }]\nrobot: arm.urdf\n' });
     writeFileSync(join(dirname(path), 'arm.urdf'), '<robot name="arm"><joint name="a"/></robot>');
@@ -152,10 +169,7 @@ describe('link to the gateway', { concurrency: 3 }, () => {
   }
 
   it('ClockOffer_RefusedByTheGateway_IsRepeated', async t => {
-    const bridge = await RosbridgeDouble.start(t), ending = new AbortController();
-    const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}));
-    link.offer('/nowpose/plant_time/cell', 'nowpose/PlantTime', async () => ({ synchronised: true }));
-    const running = link.run(ending.signal);
+    const bridge = await linkWith(t, link => link.offer('/nowpose/plant_time/cell', 'nowpose/PlantTime', async () => ({ synchronised: true })));
     const offers = () => bridge.heard.filter(m => m.op === 'advertise_service').length;
     await until(() => offers() === 1, 'the offer');
 
@@ -164,8 +178,6 @@ describe('link to the gateway', { concurrency: 3 }, () => {
 
     await until(() => offers() === 2, 'the second offer');
     assert.deepEqual((await bridge.call('/nowpose/plant_time/cell')).values, { synchronised: true });
-    ending.abort();
-    await running;
   });
 
   it('GatewayStatus_RepeatedOnANewConnection_IsLoggedAgain', async t => {
@@ -208,26 +220,18 @@ describe('link to the gateway', { concurrency: 3 }, () => {
   });
 
   it('GatewayStatus_Error_IsPassedToTheListeners', async t => {
-    const bridge = await RosbridgeDouble.start(t), refusals = [], ending = new AbortController();
-    const events = { refused: reason => refusals.push(reason) };
-    const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}), 'gateway', events);
-    const running = link.run(ending.signal);
+    const refusals = [], bridge = await linkWith(t, () => {}, { refused: reason => refusals.push(reason) });
     await until(() => bridge.clients.length > 0, 'the link');
 
     for (const level of ['warning', 'error', 'error']) bridge.send({ op: 'status', level, msg: `${level}: the joint is taken` });
 
     await until(() => refusals.length === 2, 'both errors');
     assert.deepEqual(refusals, ['error: the joint is taken', 'error: the joint is taken']);
-    ending.abort();
-    await running;
   });
 
   it('Message_ListenerThrows_IsCountedAndTheNextMessageIsProcessed', async t => {
-    const bridge = await RosbridgeDouble.start(t), heard = [], problems = [], ending = new AbortController();
-    const events = { malformed: (topic, problem) => problems.push([topic, problem]) };
-    const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}), 'gateway', events);
-    link.subscribe('/plan', ({ data }) => heard.push(data.length), 'std_msgs/String');
-    const running = link.run(ending.signal);
+    const heard = [], problems = [], events = { malformed: (topic, problem) => problems.push([topic, problem]) };
+    const bridge = await linkWith(t, link => link.subscribe('/plan', ({ data }) => heard.push(data.length), 'std_msgs/String'), events);
     await until(() => bridge.heard.some(m => m.op === 'subscribe'), 'the subscription');
 
     for (const msg of [null, {}, { data: 'four' }]) bridge.send({ op: 'publish', topic: '/plan', msg });
@@ -235,8 +239,6 @@ describe('link to the gateway', { concurrency: 3 }, () => {
     await until(() => heard.length > 0, 'the valid message');
     assert.deepEqual(heard, [4]);
     assert.deepEqual(problems.map(([topic]) => topic), ['/plan', '/plan']);
-    ending.abort();
-    await running;
   });
 
   it('Arguments_Invalid_ShowTheUsage', async t => {

@@ -12,7 +12,7 @@ import { adapterFor, assertPoseMatches, changes, posesOf } from './published.mjs
 
 const { symbolMessages } = messages;
 
-describe('frames, signals and robots', { concurrency: 4 }, () => {
+describe('frames, signals and robots', () => {
   it('OpcUa_PosesSignalsAndRobots_HaveTheTrueValuesAtTheirTimeStamps', async t => {
     const server = await serverFor(t);
     const { bridge } = await adapterFor(t, url => `gateway: { url: "${url}" }
@@ -82,8 +82,7 @@ signals:
   });
 });
 
-// A suite of its own, because ADS has the shortest timeouts, and the servers of OPC UA in this process need much processor time.
-describe('frames, signals and robots of ADS', { concurrency: 2 }, () => {
+describe('frames, signals and robots of ADS', () => {
   it('Ads_PosesAndSignals_HaveTheTrueValuesAtTheirTimeStamps', async t => {
     const server = new AdsServer(youBot({ cycleMs: 5 })), port = await server.listen();
     t.after(() => server.close());

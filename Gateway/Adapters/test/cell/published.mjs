@@ -4,9 +4,11 @@ import { angle } from '../ads/youbot.mjs';
 import { start, until } from '../program.mjs';
 import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
 import { temporaryFile } from '../temporary.mjs';
+import { VirtualTime } from '../virtualTime.mjs';
 
 /** Starts an adapter. `text` returns the content of its configuration file for the address of the gateway. */
 export async function adapterFor(t, text) {
+  VirtualTime.ofProcess(t);
   const bridge = await RosbridgeDouble.start(t);
   return { bridge, adapter: start(t, [temporaryFile('plant.yaml', text(bridge.url))]) };
 }

@@ -5,12 +5,13 @@ import { start, until } from '../program.mjs';
 import { Robot } from '../ros/robot.mjs';
 import { nanoseconds, RosbridgeDouble } from '../rosbridge.mjs';
 import { temporaryFile } from '../temporary.mjs';
+import { VirtualTime } from '../virtualTime.mjs';
 import { messages } from '../messages.mjs';
 import { adapterFor, changes, isArrival, poses, posesOf } from './published.mjs';
 
 const { refusalMessages, rosMessages } = messages;
 
-describe('frames, signals and robots of ROS', { concurrency: 4 }, () => {
+describe('frames, signals and robots of ROS', () => {
   it('Ros_FramesSignalsAndRobot_AreForwarded', async t => {
     const robot = await Robot.start(t);
     const { bridge } = await adapterFor(t, url => `gateway: { url: "${url}" }
@@ -111,6 +112,7 @@ signals:
   });
 
   it('Ros_BoolWithoutRobotClock_IsStampedWithItsArrivalTimeOnTheGatewaysClock', async t => {
+    VirtualTime.ofProcess(t);
     const robot = await Robot.start(t, { now: null }), now = () => BigInt(Date.now()) * 1_000_000n + 60_000_000_000n;
     const bridge = await RosbridgeDouble.start(t, { now }), before = now();
     start(t, [temporaryFile('plant.yaml', `gateway: { url: "${bridge.url}" }
@@ -135,6 +137,7 @@ signals:
   const ahead = (minutes = 0) => BigInt(Date.now() + 60_000 * minutes) * 1_000_000n;
   /** Starts an adapter for a robot with the latched messages /closed and /width. `now` returns the time of the gateway's clock. */
   async function latched(t, { robot: options = {}, plant = '', rest = SIGNAL, now = ahead } = {}) {
+    VirtualTime.ofProcess(t);
     const robot = await Robot.start(t, options), bridge = await RosbridgeDouble.start(t, { now: () => now() });
     robot.publish('/closed', { data: true }, { isLatched: true });
     robot.publish('/width', { data: 0.04 }, { isLatched: true });
