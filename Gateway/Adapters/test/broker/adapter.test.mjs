@@ -130,24 +130,6 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
     }, () => `joint states, ${passed} at the broker; ${JSON.stringify([near.state, far.state])}; ${subscriber.err}${publisher.err}`);
   });
 
-  it('Publisher_Connected_AnnouncesItAfterItsRetainedMessagesAndRepeatedly', async t => {
-    const broker = await Mosquitto.start(t), heard = [], ending = new AbortController(), client = await connectAsync(broker.url, { protocolVersion: 5 });
-    t.after(() => client.endAsync(true));
-    client.on('message', topic => heard.push(topic.slice(TOPIC.length + 1)));
-    await client.subscribeAsync(`${TOPIC}/#`);
-    const settings = { broker: { endpoint: broker.url, user: null, authority: null, userCertificate: null }, topic: TOPIC, direction: 'publish' };
-    const link = new BrokerLink(settings, 'hall', [], { opened: () => {}, away: () => {}, heard: () => {}, malformed: () => {} });
-    for (const topic of ['signals/closed', 'tf_static/table']) link.publishRetained(topic, '{}');
-    link.isGatewayOpen = true;
-
-    const running = link.run(ending.signal);
-
-    await until(() => heard.length >= 5, () => `${heard}`);
-    assert.deepEqual(heard.slice(0, 5), ['signals/closed', 'tf_static/table', 'alive', 'alive', 'alive']);
-    ending.abort();
-    await running;
-  });
-
   it('Message_ListenerThrows_IsCountedAndTheNextMessageIsProcessed', async t => {
     const broker = await Mosquitto.start(t), heard = [], problems = [], ending = new AbortController();
     const settings = { broker: { endpoint: broker.url, user: null, authority: null, userCertificate: null }, topic: TOPIC, direction: 'subscribe' };
