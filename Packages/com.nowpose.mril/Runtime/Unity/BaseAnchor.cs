@@ -78,9 +78,8 @@ namespace Nowpose.Unity
         readonly AnchorLog _log = new AnchorLog();
         BaseAnchorState _state;
         [NonSerialized] string _words = "", _fault;
-        bool _loggedScale;
         // After a recompilation of scripts in play mode, the fields apply again, because the tracker with the markers of the script is lost.
-        [NonSerialized] bool _isGiven;
+        [NonSerialized] bool _loggedScale, _isGiven;
         (Vector3 Position, Quaternion Rotation) _own;
 
         /// <summary>Raised when <see cref="Place"/> or <see cref="Nudge"/> moves the anchor.</summary>
@@ -153,9 +152,7 @@ namespace Nowpose.Unity
             Notify();
         }
 
-        /// <summary>
-        /// Moves the base frame to a pose in the world, without a transition. Releases a lock by markers; a running search continues.
-        /// </summary>
+        /// <summary>Moves the base frame to a pose in the world, without a transition. Releases a lock; a running search continues.</summary>
         /// <param name="position">Position of the base frame's origin, in metres.</param>
         /// <param name="rotation">Rotation of the base frame in Unity's axes (x right, y up, z forward). Any length except zero is allowed.</param>
         /// <exception cref="ArgumentException">A value is not finite, or the rotation is zero.</exception>
