@@ -30,6 +30,7 @@ namespace Nowpose.Tests.Core.Session
             var states = StatesOf(simulated, 0.3 + 0.15);
             var after = StatesOf(simulated, 3);
             var statistics = StatisticsOf(simulated);
+            simulated.Session.Fill(statistics, HeadsetTime.FromSeconds(simulated.Now));
 
             Assert.That(states.Last(), Is.EqualTo(PoseState.Held));
             Assert.That(after, Is.Not.Empty.And.All.EqualTo(PoseState.Held));

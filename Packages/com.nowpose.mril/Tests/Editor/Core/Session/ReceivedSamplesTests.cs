@@ -46,15 +46,15 @@ namespace Nowpose.Tests.Core.Session
         }
 
         // The positions of the moving joint contradict the earlier ones; those of the joint at rest do not.
-        [TestCase(0.13)]
-        [TestCase(0.2)]
-        [TestCase(0.23)]
-        public void Add_ClockWentBack_RestartsAllJointsOfTheMessage(double back)
+        [Test]
+        public void Add_ClockWentBack_RestartsAllJointsOfTheMessage(
+            [Values(0.13, 0.2, 0.23)] double back, [Values("shoulder", "elbow")] string moving)
         {
             var tracks = new JointTracks(TestRobot.Model, PredictionSettings.Default);
-            var joints = new[] { Shoulder, TestRobot.Model.IndexOfMovingJoint("elbow") };
-            void Add(double time, double stamp) => tracks.Add(
-                new JointStateMessage(ControlTime.FromSeconds(100 + stamp), new[] { "shoulder", "elbow" }, new[] { Math.Sin(3 * time), 0.5 }), joints);
+            var names = new[] { "shoulder", "elbow" };
+            var joints = names.Select(TestRobot.Model.IndexOfMovingJoint).ToArray();
+            void Add(double time, double stamp) => tracks.Add(new JointStateMessage(
+                ControlTime.FromSeconds(100 + stamp), names, names.Select(name => name == moving ? Math.Sin(3 * time) : 0.5).ToArray()), joints);
             for (var k = 0; k < 60; k++) Add(0.05 * k, 0.05 * k);
 
             for (var k = 60; k < 63; k++) Add(0.05 * k, 0.05 * k - back);
