@@ -131,7 +131,6 @@ namespace Nowpose.Anchoring.Fitting
         static (double Metres, double Radians) Shift(PoseWindow window, int count, double[] weights, in RigidTransform mean, int inliers)
         {
             int newer = inliers / 2, older = inliers - newer, passed = 0;
-            if (newer == 0) return (0, 0);
             double x = 0, y = 0, z = 0, turnX = 0, turnY = 0, turnZ = 0;
             var back = mean.Inverse;
             for (var i = 0; i < count; i++)

@@ -66,7 +66,6 @@ namespace Nowpose.Anchoring.Tracking
         /// <param name="name">Name under which the position is stored; empty if it must not be stored.</param>
         public void Hold(ISpatialAnchors anchors, in RigidTransform pose, string name)
         {
-            _isSought = true;
             _hasTracked = false;
             Elsewhere = null;
             _former?.Dispose();

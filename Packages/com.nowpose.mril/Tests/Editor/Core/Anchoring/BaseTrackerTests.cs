@@ -35,6 +35,21 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(cell.Tracker.Base, Is.Null);
         }
 
+        // The marker may have been moved meanwhile.
+        [Test]
+        public void Tick_MarkerOutOfViewForLong_IsObservedForTheWholeTimeAgain()
+        {
+            var cell = SimulatedMarkers.One(1, 0);
+            cell.Run(1.8);
+            cell.IsInView = _ => false;
+            cell.Run(10);
+            cell.IsInView = _ => true;
+
+            cell.Run(1.8);
+            Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Searching));
+            Assert.That(cell.RunUntilLocked(1), Is.Not.Null);
+        }
+
         // A HoloLens 2 reports a code about twice a second, some tenths of a second later.
         [TestCase(0.5, 0.0, 8)]
         [TestCase(0.5, 0.6, 9)]

@@ -40,10 +40,11 @@ namespace Nowpose.Tests.Core.Anchoring
             public string KeptAs { get; set; }
             public string Problem { get; set; }
 
+            // A store that is not loaded yet stores the anchor later.
             public void Keep(string name)
             {
                 KeptAs = name;
-                _device.Kept[name] = Pose.Value;
+                if (_device.IsReady) _device.Kept[name] = Pose.Value;
             }
 
             public void Dispose() => _device.Held.Remove(this);

@@ -253,6 +253,20 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(Tracker.Base, Is.Null, "the base stays where the user placed it");
         }
 
+        [Test]
+        public void Lock_BeforeTheStoreIsReady_IsNotOverriddenByTheStoredBase()
+        {
+            _anchors.Kept["cell"] = Shift(1);
+            _anchors.IsReady = false;
+            Lock();
+
+            _anchors.IsReady = true;
+            _cell.Run(1);
+
+            Assert.That(Tracker.State, Is.EqualTo(BaseAnchorState.Locked));
+            Assert.That(Tracker.Base.Value.DistanceTo(_cell.Base), Is.LessThan(1e-9));
+        }
+
         [TestCase(9, BaseAnchorState.Locked)]
         [TestCase(20, BaseAnchorState.Lost)]
         public void Tick_AnchorTurns_IsFollowedOnlyByTheAngleOfACorrection(double degrees, BaseAnchorState expected)

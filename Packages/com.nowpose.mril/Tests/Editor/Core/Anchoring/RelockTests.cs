@@ -30,6 +30,21 @@ namespace Nowpose.Tests.Core.Anchoring
             Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Moved), "the marker is monitored again");
         }
 
+        [Test]
+        public void Relock_MarkerInViewCannotLock_SearchesUntilItIsOutOfViewForTheWholeTime()
+        {
+            var cell = NoisyOne();
+            cell.NoiseMetres = 0.05;
+            cell.Tracker.Relock();
+
+            cell.Run(20, () => Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Searching)));
+            cell.IsInView = _ => false;
+            cell.Run(14.5, () => Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Searching)));
+            cell.Run(1);
+
+            Assert.That(cell.Tracker.State, Is.EqualTo(BaseAnchorState.Locked));
+        }
+
         // The headset is taken off after the request.
         [Test]
         public void Relock_ApplicationPaused_SearchesForTheWholeTimeAfterThePause()

@@ -27,6 +27,18 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         [Test]
+        public void Lock_NoisyMarkers_ReportsTheScatterOfTheirPoses([Values] bool isThree)
+        {
+            var cell = isThree ? SimulatedMarkers.Three(1) : SimulatedMarkers.One(1, 0);
+            cell.Noisy();
+
+            Locked(cell);
+
+            Assert.That(cell.Tracker.Lock.SpreadMetres, Is.EqualTo(cell.NoiseMetres).Within(25).Percent);
+            Assert.That(cell.Tracker.Lock.SpreadRadians, Is.EqualTo(cell.NoiseDegrees * Math.PI / 180).Within(25).Percent);
+        }
+
+        [Test]
         public void Tick_TwoMarkersDisagree_DoesNotLockAndNamesBothMarkers()
         {
             var cell = new SimulatedMarkers(1);

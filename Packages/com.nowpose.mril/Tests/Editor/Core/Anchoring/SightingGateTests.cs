@@ -12,7 +12,6 @@ namespace Nowpose.Tests.Core.Anchoring
         const double Degree = Math.PI / 180;
 
         static readonly HeadsetTime Now = HeadsetTime.FromSeconds(50);
-        static readonly BaseMarker Marker = new BaseMarker("a", RigidTransform.Identity, 0.1);
 
         // The marker lies face up, half a metre ahead of the head and one metre below it. It is seen at 26.6° from its normal.
         static readonly RigidTransform Head = RigidTransform.FromXyzRpy(0, 0, 2, 0, 60 * Degree, 0);
@@ -20,15 +19,16 @@ namespace Nowpose.Tests.Core.Anchoring
 
         static SightingFault Judge(
             RigidTransform? pose = null, double size = 0.1, double age = 0.1, MarkerTracking tracking = MarkerTracking.Tracking,
-            RigidTransform? head = null) => SightingGate.Judge(
+            RigidTransform? head = null, double printed = 0.1) => SightingGate.Judge(
             new MarkerSighting("1", "a", pose ?? Pose, size, HeadsetTime.FromSeconds(50 - age), tracking),
-            Marker, Now, head ?? Head, new AnchoringSettings());
+            new BaseMarker("a", RigidTransform.Identity, printed), Now, head ?? Head, new AnchoringSettings());
 
         [Test]
         public void Judge_CurrentSightingAtAShortDistance_IsAccepted()
         {
             Assert.That(Judge(), Is.EqualTo(SightingFault.None));
             Assert.That(Judge(size: 0), Is.EqualTo(SightingFault.None), "the device does not report a size");
+            Assert.That(Judge(printed: 0), Is.EqualTo(SightingFault.None), "the cell does not state a size");
             Assert.That(Judge(size: 0.105), Is.EqualTo(SightingFault.None));
             Assert.That(Judge(age: -0.01), Is.EqualTo(SightingFault.None), "slightly in the future");
         }
