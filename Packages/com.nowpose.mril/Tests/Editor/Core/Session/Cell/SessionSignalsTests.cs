@@ -135,15 +135,15 @@ namespace Nowpose.Tests.Core.Session.Cell
             cell.Session.Listener.SignalStatusReceived(
                 new JointStatusMessage(new[]
                 {
-                    new JointReport("old0", JointDataState.Fault, end, "the server no longer has this node"),
-                    new JointReport("old1", JointDataState.Stale, end, "its source has ended"),
+                    new JointReport("old0", JointDataState.Stale, end, "its source has ended"),
+                    new JointReport("old1", JointDataState.Fault, end, "the server no longer has this node"),
                     new JointReport("old7", JointDataState.Stale, end, "its source has ended"),
                 }), default);
 
             for (var k = 0; k < 3; k++) cell.Send("new" + k, 19.7, k + 0.5);
             cell.Run(0.1);
 
-            Assert.That((ValueOf(cell, "new0"), ValueOf(cell, "new1"), ValueOf(cell, "old0"), ValueOf(cell, "old8")), Is.EqualTo((0.5, 1.5, 0.0, 8.0)));
+            Assert.That((ValueOf(cell, "new0"), ValueOf(cell, "new1"), ValueOf(cell, "old1"), ValueOf(cell, "old8")), Is.EqualTo((0.5, 1.5, 1.0, 8.0)));
             Assert.That(cell.Session.Signals.Table.Find("old7"), Is.Null);
             Assert.That(cell.Session.Signals.FaultOf("old7", isConnected: true).Reason, Is.EqualTo("its source has ended"));
             Assert.That(cell.Session.Signals.FaultOf("new1", isConnected: true).Reason, Is.Null);
