@@ -23,6 +23,17 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         [Test]
+        public void Add_PoseFromTheOtherTopic_DiscardsTheWaitingPoses([Values] bool isStationary)
+        {
+            var handOver = new HandOver();
+            handOver.Add(Pose(0, "tool", "part"), !isStationary);
+
+            handOver.Add(Pose(1, "tool", "part"), isStationary);
+
+            Assert.That((handOver.Count, handOver.IsStationary, handOver[0].Stamp), Is.EqualTo((1, isStationary, At(1))));
+        }
+
+        [Test]
         public void HandOver_FromAConveyorToAGripper_IsContinuousAndThenExact()
         {
             const double frameSeconds = 1 / 60.0, speed = 0.3, taken = 1.0;
