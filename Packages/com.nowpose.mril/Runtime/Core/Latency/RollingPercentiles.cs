@@ -38,7 +38,7 @@ namespace Nowpose.Latency
             return new TimeSpan((long)Math.Round(_sorted[below] + (position - below) * (_sorted[above] - _sorted[below])));
         }
 
-        public void Reset() => _count = _next = 0;
+        public void Reset() => _count = 0;
 
         void Remove(long ticks)
         {

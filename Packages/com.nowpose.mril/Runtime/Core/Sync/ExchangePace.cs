@@ -56,7 +56,7 @@ namespace Nowpose.Sync
             _usual = usual;
             _quick = Min(usual, Max(MinInterval, new TimeSpan(usual.Ticks / QuickFactor)));
             _slow = !maySlow ? usual : Max(usual, Min(Min(MaxInterval, new TimeSpan(silence.Ticks / 2)), new TimeSpan(usual.Ticks * SlowFactor)));
-            _silence = silence > _slow + usual ? silence : _slow + usual;
+            _silence = Max(silence, _slow + usual);
         }
 
         /// <summary>Returns the time from the start of the exchange that has just ended to the start of the next.</summary>
