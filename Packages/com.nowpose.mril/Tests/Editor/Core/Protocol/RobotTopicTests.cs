@@ -32,6 +32,17 @@ namespace Nowpose.Tests.Core.Protocol
         [TestCase("/arm1//joint_states")]
         public void Parse_InvalidNamespace_IsNotValid(string name) => Assert.That(RobotTopic.Parse(name).IsValid, Is.False);
 
+        [TestCase(0, true)]
+        [TestCase(1, false)]
+        public void HasNameLength_AroundTheLimit_DoesNotCountTheNamespace(int more, bool expected)
+        {
+            var name = new string('n', ProtocolLimits.NameLength + more);
+
+            Assert.That(RobotTopic.HasNameLength(name), Is.EqualTo(expected));
+            Assert.That(RobotTopic.HasNameLength("arm1/" + name), Is.EqualTo(expected));
+            Assert.That(RobotTopic.HasNameLength("/" + name), Is.False);
+        }
+
         [TestCase(32, true)]
         [TestCase(33, false)]
         public void Parse_Namespace_IsValidUpTo32Characters(int length, bool expected) =>

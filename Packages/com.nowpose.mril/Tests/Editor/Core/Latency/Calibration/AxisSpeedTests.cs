@@ -32,6 +32,18 @@ namespace Nowpose.Tests.Core.Latency.Calibration
             Assert.That(Moved(t => 250 * t * t).IsConstant, Is.False);
         }
 
+        // The means of the two halves of the window are 0.25 s apart. At the newest 30 frames, the mean speed is 300 mm/s.
+        [TestCase(110, true)]
+        [TestCase(130, false)]
+        [TestCase(-110, true)]
+        [TestCase(-130, false)]
+        public void IsConstant_SlowAcceleration_IsTrueUpToATenthOfTheSpeed(double acceleration, bool expected)
+        {
+            var speed = Moved(t => 300 * (t - 0.75) + 0.5 * acceleration * (t - 0.75) * (t - 0.75));
+
+            Assert.That(speed.IsConstant, Is.EqualTo(expected));
+        }
+
         [Test]
         public void MmPerS_FewFrames_IsNull()
         {

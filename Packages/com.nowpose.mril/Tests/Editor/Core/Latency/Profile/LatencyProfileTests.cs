@@ -3,6 +3,7 @@ using Nowpose.Latency;
 using Nowpose.Latency.Profile;
 using Nowpose.Messages;
 using NUnit.Framework;
+using NUnit.Framework.Constraints;
 
 namespace Nowpose.Tests.Core.Latency.Profile
 {
@@ -24,6 +25,17 @@ namespace Nowpose.Tests.Core.Latency.Profile
             Assert.That(profile.Range.Source, Is.EqualTo(RenderTimeSourceKind.DisplayGpuTime));
             Assert.That(profile.ValidToRenderTime, Is.EqualTo(Lengths.Ms(15)));
         }
+
+        [TestCase(500, 500, true)]
+        [TestCase(-500, 0, true)]
+        [TestCase(501, 1, false)]
+        [TestCase(-501, 1, false)]
+        [TestCase(1, 501, false)]
+        [TestCase(1, -1, false)]
+        public void HeadMotionLatency_Values_AreAcceptedWithinTheirRanges(double latencyMs, double uncertaintyMs, bool expected) =>
+            Assert.That(
+                () => new HeadMotionLatency(latencyMs, uncertaintyMs),
+                expected ? (IResolveConstraint)Throws.Nothing : Throws.TypeOf<InputException>());
 
         [Test]
         public void LatencyProfile_LimitNotReached_HasAMeasuredMaximumButNoRange()
