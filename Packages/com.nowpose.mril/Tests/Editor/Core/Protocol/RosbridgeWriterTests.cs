@@ -52,10 +52,12 @@ namespace Nowpose.Tests.Core.Protocol
             Assert.That(RosbridgeWriter.Publish("/joint_states", state, RosTimeForm.Sec), Does.Contain("[-1.5]"));
         }
 
-        [Test]
-        public void JointState_PositionNotFinite_IsRefused()
+        [TestCase(double.NaN)]
+        [TestCase(double.PositiveInfinity)]
+        [TestCase(double.NegativeInfinity)]
+        public void JointState_PositionNotFinite_IsRefused(double position)
         {
-            var state = new JointStateMessage(ControlTime.FromSeconds(1), new[] { "a" }, new[] { double.NaN });
+            var state = new JointStateMessage(ControlTime.FromSeconds(1), new[] { "a" }, new[] { position });
 
             Assert.Throws<ArgumentException>(() => RosbridgeWriter.Publish("/joint_states", state, RosTimeForm.Sec));
         }
