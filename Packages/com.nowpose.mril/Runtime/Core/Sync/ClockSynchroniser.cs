@@ -20,7 +20,7 @@ namespace Nowpose.Sync
     /// <item><see cref="UnrecognisedChange"/>: a path change that the others have not recognised. It increases the estimated error, and the fit of the
     /// next exchange allows for the change.</item>
     /// </list>
-    /// If they are wrong and the line stays outside the bounds of the recent exchanges, it restarts.
+    /// If they are wrong and the line of the <see cref="DefaultClockEstimator"/> stays outside the bounds of the recent exchanges, it restarts.
     /// </remarks>
     sealed class ClockSynchroniser
     {
@@ -79,8 +79,8 @@ namespace Nowpose.Sync
         public TimeSpan OffsetError => _estimate.Line.OffsetError;
 
         /// <summary>
-        /// Number of exchanges that the model is based on: all since the start, the last step or correction of the control clock, or the last long
-        /// time without exchanges.
+        /// Number of exchanges that the model is based on: all since the start, the last step or correction of the control clock, the last long
+        /// time without exchanges, or the last restart of a line that had stayed outside the bounds of the recent exchanges.
         /// </summary>
         public int Exchanges => _estimate.Line.Exchanges;
 
@@ -180,6 +180,7 @@ namespace Nowpose.Sync
         // Returns whether the line has been outside the bounds of the recent exchanges for too long.
         bool IsRefuted(HeadsetTime now)
         {
+            if (!_estimator.FitsBounds) return false;
             _envelope.MaxError(_estimator.Line, out var outside);
             if (outside <= _settings.StepMargin) _contradictsSince = null;
             else _contradictsSince ??= now;

@@ -11,6 +11,9 @@ namespace Nowpose.Sync
         /// <summary>Possible error of the offset due to path changes that were not recognised, in addition to the standard error.</summary>
         TimeSpan PathChangeError { get; }
 
+        /// <summary>Whether the line fits the bounds of the exchanges. A line that stays outside the bounds of the recent ones is then wrong.</summary>
+        bool FitsBounds { get; }
+
         /// <param name="exchange">An exchange that has passed <see cref="SyncExchangeRules.Check"/> and is newer than all previous exchanges.</param>
         void Add(in SyncExchange exchange);
 

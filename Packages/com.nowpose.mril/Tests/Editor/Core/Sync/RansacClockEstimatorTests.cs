@@ -29,6 +29,21 @@ namespace Nowpose.Tests.Core.Sync
             return (p95, max);
         }
 
+        // Its lines follow the middle of the bounds, so after a change of the path they may be outside the bounds of the last minute.
+        [Test]
+        public void Exchanges_HeadsetRoamsToAndFro_AreAllKept()
+        {
+            var link = new SimulatedLink(NetworkProfile.Lan, 600, skewPpm: 20);
+            var run = new SyncRun(new RansacClockEstimator(RansacSettings.Paper));
+            for (var i = 0; i < 8; i++)
+            {
+                link.LongerUpMs = i % 2 == 0 ? 0 : 8;
+                run.Run(link, 40 * i, 40 * (i + 1));
+            }
+
+            Assert.That((run.Clock.Steps, run.Clock.Exchanges), Is.EqualTo((0, 1600)));
+        }
+
         [Category("Study")]
         [Test]
         public void Error_Lan_IsCloseToTheReference()
