@@ -86,6 +86,10 @@ sealed record FrameView(string Name, string Parent, string Source, string State,
     [JsonIgnore]
     public DateTimeOffset? Since { get; init; }
 
+    /// <summary>Time since the state of a frame with a pose was first detected. Unlike <see cref="Since"/>, it does not depend on the system clock.</summary>
+    [JsonIgnore]
+    public TimeSpan KnownFor { get; init; }
+
     /// <summary>Whether the frame is stale because its adapter sends only changes and assumes the frame at rest.</summary>
     [JsonIgnore]
     public bool IsAtRest { get; init; }

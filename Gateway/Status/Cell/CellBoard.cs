@@ -199,11 +199,12 @@ sealed class CellBoard(
         }
         else if (frame.IsOld) (state, reason) = (CellStates.Stale, CellReasons.StampsOld);
         else if (ancestors.FaultOf(name, frame) is { } fault) (state, reason, cause) = fault;
-        since = frame.Enter(state, since);
+        since = frame.Enter(state, since, time.GetTimestamp());
         return new FrameView(
             name, frame.Parent, frame.Source.Title, state, frame.IsStationary || !frame.HasAny ? null : Seconds(now - frame.Stamp), reason)
         {
             Since = reason == null ? null : since,
+            KnownFor = time.GetElapsedTime(frame.EnteredAt),
             Cause = cause,
         };
     }

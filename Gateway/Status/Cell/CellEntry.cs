@@ -47,11 +47,14 @@ sealed class FrameEntry : CellEntry
     /// <summary>Arrival of the pose with the newest stamp.</summary>
     public long SeenAt { get; set; }
 
+    /// <summary>Time at which <see cref="Enter"/> was first called with the present state, a timestamp of the time provider.</summary>
+    public long EnteredAt { get; private set; }
+
     /// <summary>Returns the start of the present state.</summary>
     /// <param name="since">Start of the state if it is new.</param>
-    public DateTimeOffset Enter(string state, DateTimeOffset since)
+    public DateTimeOffset Enter(string state, DateTimeOffset since, long now)
     {
-        if (_state != state) (_state, _since) = (state, since);
+        if (_state != state) (_state, _since, EnteredAt) = (state, since, now);
         return _since;
     }
 }

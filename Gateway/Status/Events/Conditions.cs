@@ -112,12 +112,9 @@ sealed class Conditions(
             from frame in frames
             where !unconnected.Contains(frame.Source)
             where frame is { State: CellStates.Stale, IsAtRest: false } || IsRefused(frame.State) || IsMissing(frame.State)
-                || frame.State == CellStates.Orphan && HasLasted(frame) && !reported.Contains(frame.Cause)
+                || frame.State == CellStates.Orphan && frame.KnownFor >= OrphanTimeout && !reported.Contains(frame.Cause)
             select Of(frame);
     }
-
-    // If the system clock was set back, the start is in the future.
-    bool HasLasted(FrameView orphan) => (options.Time.GetUtcNow() - orphan.Since)?.Duration() >= OrphanTimeout;
 
     // Whether the frame has a condition, or will have one as soon as its state has lasted long enough.
     static bool HasFault(FrameView frame) => frame.Since != null && frame.State != CellStates.ParentStale && !frame.IsAtRest;

@@ -56,7 +56,7 @@ public class CellFaultTests
         var expected = $"frame orph (gateway) {EventTexts.IsOrphan}: {CellReasons.ParentMissing("nowhere")}. {EventRemedies.Parent}";
         Assert.That(await StatusAsync(), Is.EqualTo(("warning", expected)));
 
-        _gateway.Time.Correct(TimeSpan.FromHours(-1));
+        _gateway.Time.Correct(TimeSpan.FromSeconds(-1.5));
         Publish(Frame("orph", "nowhere"));
 
         Assert.That(await StatusAsync(), Is.EqualTo(("warning", expected)), "the system clock was set back");
