@@ -265,6 +265,7 @@ namespace Nowpose.Unity
             Problem = _file.Problem;
             if (Verdict == null)
             {
+                ShowText(LoadSweepMessages.Stopped);
                 ConsoleLog.Warn(this, Problem);
                 return;
             }

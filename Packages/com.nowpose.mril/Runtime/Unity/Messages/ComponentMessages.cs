@@ -29,7 +29,7 @@ namespace Nowpose.Unity.Messages
         public const string SourceOutsideSession =
             "no session is on this object or a parent, so no base anchor uses the markers; move the component to the session's object";
 
-        public const string SweepDisabled = "is switched off; enable it and its object, and start the sweep again";
+        public const string SweepDisabled = "is switched off or has not started yet; enable it and its object, and start the sweep again";
         public const string NoLoadGenerator = "has no load generator on its object or a child; assign one";
         public const string NoRenderTimeSource = "has no render time source at its session; assign one";
 
