@@ -15,7 +15,8 @@ public class RecompilationTests
     [Test]
     public void Components_PrivateTexts_AreNotSaved()
     {
-        var texts = InspectedType.All.SelectMany(type => type.GetFields(Private)).Where(field => field.FieldType == typeof(string)).ToArray();
+        var texts = InspectedType.All.SelectMany(SerialisedNames.WithBases).Distinct()
+            .SelectMany(type => type.GetFields(Private)).Where(field => field.FieldType == typeof(string)).ToArray();
 
         var saved = texts.Where(field => !field.IsInitOnly && !field.IsDefined(typeof(NonSerializedAttribute)) && !field.IsDefined(typeof(SerializeField)));
 

@@ -31,7 +31,8 @@ static partial class SerialisedNames
         }
     }
 
-    static IEnumerable<Type> WithBases(Type type)
+    /// <summary>Returns a type of the package and its base types in the package.</summary>
+    public static IEnumerable<Type> WithBases(Type type)
     {
         for (var at = type; IsOfPackage(at); at = at.BaseType) yield return at;
     }
