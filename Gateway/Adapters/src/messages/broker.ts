@@ -49,8 +49,7 @@ export const brokerMessages = {
   bridgeAway: "the bridge at the plant's gateway is disconnected",
   bridgeSilent: (seconds: number) =>
     `the bridge at the plant's gateway has not confirmed its connection within ${seconds} s; check that it is running and has the version of this bridge`,
-  noSignal:
-    "the plant's gateway has no value of this signal, or it has not arrived; check its source, and that two brokers exchange retained messages",
+  noSignal: "the plant's gateway has no value of this signal, or it has not arrived; check its source; two brokers must exchange retained messages",
   atOtherGateway: (reason: string) => `at the plant's gateway: ${reason}`,
 };
 

@@ -11,6 +11,7 @@ const { BrokerLink } = await parts('broker/brokerLink');
 
 it('Publisher_Connected_AnnouncesItAfterItsRetainedMessagesAndRepeatedly', async t => {
   const time = VirtualTime.ofProcess(t), broker = await RefusingBroker.start(t), ending = new AbortController();
+  t.after(() => ending.abort());
   broker.refuses = () => false;
   const settings = { broker: { endpoint: broker.url, user: null, authority: null, userCertificate: null }, topic: TOPIC, direction: 'publish' };
   const link = new BrokerLink(settings, 'hall', [], { opened: () => {}, away: () => {}, heard: () => {}, malformed: () => {} });

@@ -6,6 +6,7 @@ import { after, before, describe, it } from 'node:test';
 import { wrongIn } from '../checking.mjs';
 import { check, startProcess } from '../program.mjs';
 import { temporaryFile } from '../temporary.mjs';
+import { VirtualTime } from '../virtualTime.mjs';
 import { identity } from './identity.mjs';
 import { adapterFor, configuration, OPEN } from './plant.mjs';
 import { YoubotServer } from './server.mjs';
@@ -78,6 +79,7 @@ describe('security of OPC UA', () => {
   });
 
   it('User_RefusedAfterTheLogin_IsReportedAndConnectedSoonAfterTheRightIsGiven', async t => {
+    const time = VirtualTime.ofProcess(t);
     server.denied = 'CreateSubscriptionResponse';
     t.after(() => { server.denied = null; });
     const { state } = await adapterFor(t, server, [trusted(), 'user: {name: nowpose}'], JOINTS, WITH_PASSWORD);
@@ -86,7 +88,10 @@ describe('security of OPC UA', () => {
 
     assert.equal(reason, opcuaRefusalMessages.noRight('BadUserAccessDenied'));
     server.denied = null;
+    const since = time.now;
     await state(s => s.state === 'connected');
+    // After a refused password, it waits for 30 s.
+    assert.ok(time.now - since < 10_000_000_000n, `${time.now - since} ns`);
   });
 
   it('Anonymous_NotAllowed_IsReported', async t => {
