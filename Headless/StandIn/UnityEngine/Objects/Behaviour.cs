@@ -23,7 +23,13 @@ public class Behaviour : Component
         }
     }
 
-    public bool isActiveAndEnabled => !Destroyed && _enabled && Owner is { activeInHierarchy: true };
+    /// <summary>
+    /// False until OnEnable, although the object may already be active: each component of a hierarchy is activated in its turn. In edit mode, also true
+    /// for a script that does not run there.
+    /// </summary>
+    public bool isActiveAndEnabled => IsToRun && (Running || !IsRunInTurn);
+
+    bool IsToRun => !Destroyed && _enabled && Owner is { activeInHierarchy: true };
 
     /// <summary>Whether the behaviour is enabled on an active object and has received OnEnable.</summary>
     internal bool Running { get; private set; }
@@ -32,6 +38,9 @@ public class Behaviour : Component
 
     internal override void Deactivated() => UpdateRunning();
 
+    /// <summary>Whether the behaviour receives OnEnable when its object is activated.</summary>
+    internal virtual bool IsRunInTurn => true;
+
     /// <summary>Whether the behaviour may run. A script may run only after Awake.</summary>
     internal virtual bool MayRun => true;
 
@@ -39,7 +48,7 @@ public class Behaviour : Component
 
     internal virtual void StopRunning() { }
 
-    internal void UpdateRunning() => SetRunning(isActiveAndEnabled && MayRun);
+    internal void UpdateRunning() => SetRunning(IsToRun && MayRun);
 
     internal void SetRunning(bool running)
     {

@@ -11,6 +11,8 @@ public class MonoBehaviour : Behaviour
 
     internal ScriptType Script => field ??= ScriptType.Of(GetType());
 
+    internal override bool IsRunInTurn => World.RunsScript(Script);
+
     internal override bool MayRun => _awake;
 
     public Coroutine StartCoroutine(IEnumerator routine)
