@@ -84,6 +84,40 @@ public sealed class LoadSweepEndTests
     }
 
     [Test]
+    public void StartSweep_FailsDuringTheEvaluation_StatesThatTheSweepIsStopped()
+    {
+        _played.Play();
+        _played.Sweep.StartSweep();
+
+        _played.Run(20, seen: () =>
+        {
+            if (_played.Sweep.Words != LoadSweepMessages.Judging) return;
+            _played.Sweep.With("_steps", 1).StartSweep();
+        });
+
+        Assert.That(_played.Sweep.Problem, Is.Not.Null);
+        Assert.That(_played.Sweep.Words, Is.EqualTo(LoadSweepMessages.Stopped));
+    }
+
+    [Test]
+    public async Task Log_CannotBeWrittenAtTheEnd_StatesThatTheSweepIsStopped()
+    {
+        _played.Play();
+        _played.Sweep.StartSweep();
+
+        _played.Run(20, seen: () =>
+        {
+            if (_played.Sweep.Words?.StartsWith("load 5 of 5", StringComparison.Ordinal) != true || Directory.Exists(_played.Sweep.Path)) return;
+            File.Delete(_played.Sweep.Path);
+            Directory.CreateDirectory(_played.Sweep.Path);
+        });
+        await _played.Judged();
+
+        Assert.That((_played.Sweep.Verdict, _played.Sweep.Words), Is.EqualTo(((LoadSensitivity)null, LoadSweepMessages.Stopped)));
+        Assert.That(_played.Sweep.Problem, Is.Not.Null);
+    }
+
+    [Test]
     public async Task Folder_CannotBeCreated_IsLoggedOnceAndEndsTheSweep()
     {
         File.WriteAllText(_played.Folder, "a file where the folder should be");
@@ -127,18 +161,19 @@ public sealed class LoadSweepEndTests
         await Soon.BecomesAsync(() => File.Exists(_played.Sweep.Path) && SweepTable.Read(_played.Sweep.Path, out _).Count > 30, "the log is written");
     }
 
-    [Test]
-    public void Load_DestroyedDuringTheSweep_EndsIt()
+    [TestCase("load generator")]
+    [TestCase("session")]
+    public void Part_DestroyedDuringTheSweep_EndsIt(string part)
     {
         _played.Play();
         _played.Sweep.StartSweep();
         _played.Run(5);
 
-        UnityEngine.Object.Destroy(_played.Load.gameObject);
+        UnityEngine.Object.Destroy(part == "session" ? (UnityEngine.Object)_played.Session : _played.Load.gameObject);
         _played.Run(1, gpuSeesLoad: false);
 
         Assert.That(_played.Sweep.IsRunning, Is.False);
-        Assert.That(_played.Sweep.Problem, Is.EqualTo(LoadSweepMessages.NoGenerator(_played.Sweep.name)));
+        Assert.That(_played.Sweep.Problem, Is.EqualTo(LoadSweepMessages.Destroyed(_played.Sweep.name, part)));
         Assert.That(_played.Cell.Messages.Where(m => m.Contains("Exception", StringComparison.Ordinal)), Is.Empty);
     }
 

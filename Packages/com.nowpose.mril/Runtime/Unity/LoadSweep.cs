@@ -1,5 +1,4 @@
 using System;
-using System.Globalization;
 using System.Threading.Tasks;
 using Nowpose.Latency;
 using Nowpose.Latency.Conditions;
@@ -114,7 +113,8 @@ namespace Nowpose.Unity
         public void StartSweep()
         {
             if (IsRunning) return;
-            (_judging, Verdict, Problem) = (null, null, null);
+            EndEvaluation();
+            (Verdict, Problem) = (null, null);
             _source = this.SessionOr(_session);
             _generator = _load != null ? _load : GetComponentInChildren<LoadGenerator>(true);
             _measures = _renderTime != null ? _renderTime : _source != null ? _source.GetComponentInChildren<RenderTimeSource>() : null;
@@ -142,13 +142,20 @@ namespace Nowpose.Unity
         void OnDisable()
         {
             StopSweep();
+            EndEvaluation();
+        }
+
+        void EndEvaluation()
+        {
             if (_judging != null) ShowText(LoadSweepMessages.Stopped);
             _judging = null;
         }
 
         void Update()
         {
-            if (IsRunning) Follow();
+            // Checked here and not in StartSweep, because Unity may enable the load generator after the sweep.
+            if (IsRunning && ProblemOfLoad() is string problem) Abandon(problem);
+            else if (IsRunning) Follow();
             else if (_judging != null && _judging.IsCompleted) Conclude();
         }
 
@@ -157,9 +164,7 @@ namespace Nowpose.Unity
             try
             {
                 _plan = new SweepPlan(_maxVertices, _steps, _secondsPerLoad, _settleSeconds, _goesDown);
-                Path = System.IO.Path.Combine(
-                    Application.persistentDataPath, _folder,
-                    DateTime.UtcNow.ToString("'nowpose-sweep-'yyyyMMdd'T'HHmmssfff'Z.csv'", CultureInfo.InvariantCulture));
+                Path = SweepFile.NewPath(System.IO.Path.Combine(Application.persistentDataPath, _folder), DateTime.UtcNow);
             }
             catch (Exception fault) when (fault is InputException || fault is ArgumentException)
             {
@@ -196,12 +201,6 @@ namespace Nowpose.Unity
         // Logs the previous frame, because the code of a frame may change until the frame is rendered.
         void Follow()
         {
-            // The load is checked here and not in StartSweep, because Unity may enable the load generator after the sweep.
-            if (ProblemOfLoad() is string problem)
-            {
-                Abandon(problem);
-                return;
-            }
             // Also logs frames while a load is being built. The codes repeat after a period, so a picture of a frame that is missing from the
             // log could be matched to a frame one period later.
             if (_frame?.Control != null) _file.Add(_frame.Value.ToRow(_conditions.Device, _displayHz));
@@ -233,10 +232,11 @@ namespace Nowpose.Unity
             _generator.Vertices = _run.Vertices;
         }
 
-        // Returns the reason why the load cannot be built; null if it can. Without this check, the sweep would wait forever for such a load.
+        // Returns the reason why the load can be neither built nor shown; null if it can. Without this check, the sweep would wait for it forever.
         string ProblemOfLoad()
         {
-            if (_generator == null) return LoadSweepMessages.NoGenerator(name);
+            if (_source == null) return LoadSweepMessages.Destroyed(name, "session");
+            if (_generator == null) return LoadSweepMessages.Destroyed(name, "load generator");
             if (_generator.Problem != null) return _generator.Problem;
             return _generator.isActiveAndEnabled ? null : LoadSweepMessages.GeneratorOff(_generator.name);
         }

@@ -8,8 +8,9 @@ namespace Nowpose.Unity.Messages
     static class LoadSweepMessages
     {
         public static string StoppedWithLog(string path) => $"load sweep stopped; its log is {path}";
-        public static string NoGenerator(string component) =>
-            $"load sweep '{component}' stopped, because its load generator was destroyed; sweep again. The log of this sweep is kept";
+        /// <param name="part">What was destroyed.</param>
+        public static string Destroyed(string component, string part) =>
+            $"load sweep '{component}' stopped, because its {part} was destroyed; sweep again. The log of this sweep is kept";
 
         public static string GeneratorOff(string generator) =>
             $"load generator '{generator}' is switched off; the sweep needs it, so switch it on and sweep again";

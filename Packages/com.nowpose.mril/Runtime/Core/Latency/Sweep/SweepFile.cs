@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
@@ -34,6 +35,10 @@ namespace Nowpose.Latency.Sweep
 
         /// <summary>Error that stopped the writing, in one line; null if none has occurred. Can be read on any thread.</summary>
         public string Problem => _problem;
+
+        /// <summary>Returns the path of a new log, whose name contains the start of the sweep in UTC.</summary>
+        public static string NewPath(string folder, DateTime start) => System.IO.Path.Combine(
+            folder, start.ToString("'nowpose-sweep-'yyyyMMdd'T'HHmmssfff'Z.csv'", CultureInfo.InvariantCulture));
 
         /// <summary>
         /// Adds a row. When the capacity is reached, writes the rows early, so that a crash during a very long load does not lose them.
