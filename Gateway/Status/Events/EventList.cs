@@ -14,7 +14,7 @@ sealed class EventList(TimeProvider time, Action<string, string> log)
 
     readonly long _started = time.GetTimestamp();
     // Start of each condition that has no event yet because of StartGrace.
-    readonly Dictionary<(string, string, string), DateTimeOffset> _pending = [];
+    readonly Dictionary<(string, string, string), (DateTimeOffset Since, long Timestamp)> _pending = [];
     readonly Lock _lock = new();
     // In the order of their start, the oldest first.
     readonly List<StatusEvent> _events = [];
@@ -39,8 +39,8 @@ sealed class EventList(TimeProvider time, Action<string, string> log)
             foreach (var key in _pending.Keys.Where(key => !byKey.ContainsKey(key)).ToList()) _pending.Remove(key);
             foreach (var condition in byKey.Values)
             {
-                if (condition.IsNormalAtStart && (condition.Age ?? time.GetElapsedTime(_started)) < StartGrace) _pending.TryAdd(condition.Key, condition.Since ?? now);
-                else lines.Add((Begin(condition, _pending.Remove(condition.Key, out var since) ? since : condition.Since ?? now, null), condition));
+                if (condition.IsNormalAtStart && (condition.Age ?? time.GetElapsedTime(_started)) < StartGrace) _pending.TryAdd(condition.Key, StartOf(condition));
+                else lines.Add((Begin(condition, _pending.Remove(condition.Key, out var start) ? start : StartOf(condition), null), condition));
             }
         }
 
@@ -54,7 +54,7 @@ sealed class EventList(TimeProvider time, Action<string, string> log)
         lock (_lock)
         {
             var now = time.GetUtcNow();
-            line = Begin(condition, now, now);
+            line = Begin(condition, (now, time.GetTimestamp()), now);
         }
 
         Log(line, condition);
@@ -74,18 +74,25 @@ sealed class EventList(TimeProvider time, Action<string, string> log)
         {
             var now = time.GetUtcNow();
             var begins = _events.Where(known => known.Until == null).ToDictionary(known => known.Condition.Key, known => known.Since);
-            foreach (var (key, since) in _pending) begins.TryAdd(key, since);
+            foreach (var (key, start) in _pending) begins.TryAdd(key, start.Since);
             return [.. present.Select(one => one with { Since = begins.TryGetValue(one.Key, out var since) ? since : one.Since ?? now })];
         }
     }
 
-    string Begin(Condition condition, DateTimeOffset since, DateTimeOffset? until)
+    // The start on both clocks: the system clock may be set while the condition lasts, so the duration is measured by timestamps.
+    (DateTimeOffset Since, long Timestamp) StartOf(Condition condition)
+    {
+        var now = time.GetUtcNow();
+        var since = condition.Since ?? now;
+        return (since, time.GetTimestamp() - (long)(Math.Max(0, (now - since).TotalSeconds) * time.TimestampFrequency));
+    }
+
+    string Begin(Condition condition, (DateTimeOffset Since, long Timestamp) start, DateTimeOffset? until)
     {
         // Removes only events that are over. An active event that were removed would begin again at the next update. The number of active events is
         // limited by the number of joints, frames, signals and clients.
         while (_events.Count >= MaxEvents && OldestOfTheMostFrequentKind() is { } over) _events.Remove(over);
-        var before = Math.Max(0, (time.GetUtcNow() - since).TotalSeconds);
-        _events.Add(new StatusEvent(++_lastId, condition, since, until) { Began = time.GetTimestamp() - (long)(before * time.TimestampFrequency) });
+        _events.Add(new StatusEvent(++_lastId, condition, start.Since, until) { Began = start.Timestamp });
         return $"event {_lastId}: {condition.Text}";
     }
 

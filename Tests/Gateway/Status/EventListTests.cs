@@ -56,6 +56,21 @@ public class EventListTests
     }
 
     [Test]
+    public void Update_SystemClockIsSetBeforeTheEventBegins_LogsTheDuration()
+    {
+        var missing = Joint("a") with { IsNormalAtStart = true };
+        _events.Update([missing]);
+        _time.Advance(EventList.StartGrace);
+        _time.Correct(TimeSpan.FromHours(1));
+
+        _events.Update([missing]);
+        _time.Advance(TimeSpan.FromSeconds(2));
+        _events.Update([]);
+
+        Assert.That(_log[1], Does.Contain("ended after 5.0 s"));
+    }
+
+    [Test]
     public void Update_LineEndsInNameAndReason_WritesOneLogLinePerChange()
     {
         var condition = Joint("a\nevent 9: b\u202e", "c\r\nd\u001b[2K\u2066");
