@@ -67,7 +67,7 @@ namespace Nowpose.Sync
         /// Returns the maximum distance of the true offset from the line at its reference time if the suspected exchanges are right; zero without
         /// suspected exchanges.
         /// </summary>
-        public TimeSpan MaxSuspectedError(in ClockLine line) => _suspects.Count == 0 ? TimeSpan.Zero : _suspected.MaxError(line, out _);
+        public TimeSpan MaxSuspectedError(in ClockLine line) => _suspects.Count == 0 ? TimeSpan.Zero : _suspected.MaxError(line);
 
         /// <summary>Classifies an exchange before it is added to the envelope and the line.</summary>
         public ClockChange Judge(in SyncExchange exchange, in ClockLine line, OffsetEnvelope envelope)
@@ -99,8 +99,10 @@ namespace Nowpose.Sync
         {
             _resolution = _suspects[_suspects.Count - 1].Resolution;
             ForgetSuspects();
-            _shift.Reset();
         }
+
+        /// <summary>Discards the comparison of the recent exchanges with a line that restarts.</summary>
+        public void ForgetShift() => _shift.Reset();
 
         /// <summary>
         /// Discards the suspected exchanges, for example after a long time without exchanges, because exchanges before and after such a time do not

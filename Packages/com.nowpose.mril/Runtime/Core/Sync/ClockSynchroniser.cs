@@ -181,8 +181,7 @@ namespace Nowpose.Sync
         bool IsRefuted(HeadsetTime now)
         {
             if (!_estimator.FitsBounds) return false;
-            _envelope.MaxError(_estimator.Line, out var outside);
-            if (outside <= _settings.StepMargin) _contradictsSince = null;
+            if (_envelope.MinError(_estimator.Line) <= _settings.StepMargin) _contradictsSince = null;
             else _contradictsSince ??= now;
             return now - _contradictsSince > MaxContradiction;
         }
@@ -191,6 +190,7 @@ namespace Nowpose.Sync
         void ResetLine(double skewUncertainty)
         {
             _estimator.Restart(skewUncertainty);
+            _detector.ForgetShift();
             _contradictsSince = null;
             _coarse.Reset();
             _synchronised.Reset();
@@ -217,7 +217,7 @@ namespace Nowpose.Sync
         void Publish(in SyncExchange exchange, bool stepped)
         {
             var line = _estimator.Line;
-            var proven = _envelope.MaxError(line, out _);
+            var proven = _envelope.MaxError(line);
             // While a step is suspected, this exchange allows for it, and either the earlier or the suspected exchanges are right.
             var suspected = _detector.MaxSuspectedError(line);
             var bound = (suspected > proven ? suspected : proven) + _detector.Suspicion;

@@ -44,7 +44,6 @@ namespace Nowpose.Sync
         /// <param name="line">Clock line before this exchange is added to the estimate.</param>
         public bool Judge(in SyncExchange exchange, in ClockLine line, OffsetEnvelope envelope)
         {
-            if (line.Exchanges == 0) Reset();
             if (line.Exchanges == 0 || line.SkewError > MaxSkewError) return false;
             envelope.Fill(_past, line, MinAge - 1);
             if (_past.Count < MinPast) return false;

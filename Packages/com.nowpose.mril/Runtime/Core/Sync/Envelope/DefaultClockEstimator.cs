@@ -85,6 +85,7 @@ namespace Nowpose.Sync.Envelope
         public ClockLine Line { get; private set; }
 
         public TimeSpan PathChangeError { get; private set; }
+
         public bool FitsBounds => true;
 
         public void Restart(double skewUncertainty)

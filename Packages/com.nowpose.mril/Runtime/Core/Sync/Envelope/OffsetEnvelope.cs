@@ -62,13 +62,17 @@ namespace Nowpose.Sync.Envelope
         /// Returns the maximum distance of the true offset from the line at its reference time, including the server's own error: the
         /// distance to the farther end of the interval.
         /// </summary>
-        /// <param name="outside">Distance of the line from the interval; zero if the line is inside.</param>
-        public TimeSpan MaxError(in ClockLine line, out TimeSpan outside)
+        public TimeSpan MaxError(in ClockLine line)
         {
-            var (lower, upper) = At(line.Reference, line, ServerError.AsStatedSince);
-            var offset = line.Offset.HeadsetMinusControl.Ticks;
-            outside = new TimeSpan(Math.Max(0, Math.Max(lower - offset, offset - upper)));
-            return new TimeSpan(Math.Max(Math.Abs(upper - offset), Math.Abs(offset - lower)));
+            var (lower, upper) = Around(line);
+            return new TimeSpan(Math.Max(Math.Abs(upper), Math.Abs(lower)));
+        }
+
+        /// <summary>Returns the minimum distance of the true offset from the line at its reference time; zero if the line is in the interval.</summary>
+        public TimeSpan MinError(in ClockLine line)
+        {
+            var (lower, upper) = Around(line);
+            return new TimeSpan(Math.Max(0, Math.Max(lower, -upper)));
         }
 
         /// <summary>
@@ -96,6 +100,14 @@ namespace Nowpose.Sync.Envelope
         {
             corridor.Clear();
             for (var i = newest; i < _history.Count; i++) corridor.Add(line, _history[i]);
+        }
+
+        // The interval at the line's reference time, relative to the line.
+        (long Lower, long Upper) Around(in ClockLine line)
+        {
+            var (lower, upper) = At(line.Reference, line, ServerError.AsStatedSince);
+            var offset = line.Offset.HeadsetMinusControl.Ticks;
+            return (lower - offset, upper - offset);
         }
 
         (long Lower, long Upper) At(HeadsetTime now, in ClockLine line, ServerError included)

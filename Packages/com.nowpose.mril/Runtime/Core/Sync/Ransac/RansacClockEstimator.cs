@@ -39,6 +39,7 @@ namespace Nowpose.Sync.Ransac
 
         /// <summary>Zero: this estimator does not search for changes of the path.</summary>
         public TimeSpan PathChangeError => TimeSpan.Zero;
+
         public bool FitsBounds => false;
 
         public void Restart(double skewUncertainty)

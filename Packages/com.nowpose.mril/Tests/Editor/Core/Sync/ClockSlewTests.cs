@@ -60,6 +60,19 @@ namespace Nowpose.Tests.Core.Sync
             }
         }
 
+        /// <summary>After the restart that corrects such a mistake, the exchanges from before must not be mistaken for a clock step.</summary>
+        [Test]
+        public void Steps_SlewMistakenForAPathChangeOnABusyNetwork_DoNotIncreaseAfterTheSlew()
+        {
+            for (var seed = FirstSeed; seed < FirstSeed + 2; seed++)
+            {
+                var run = Slewed("wifi", 40, seed, seconds: 250, isBusy: true);
+
+                var steps = run.Instants.Where(i => i.At >= 400).Select(i => i.Model.Steps).Distinct();
+                Assert.That(steps.Count(), Is.EqualTo(1), "seed " + seed);
+            }
+        }
+
         /// <summary>
         /// systemd-timesyncd corrects up to 0.4 s by a slew with a time constant of 8 s. Its rate at the start is that of no clock. The two exchanges
         /// that show it take a second and 50 ms at the slow pace, which a LAN allows, and 250 ms at the usual pace.
@@ -117,10 +130,11 @@ namespace Nowpose.Tests.Core.Sync
         }
 
         // The slew starts at 120 s. The run lasts for four minutes after its end.
-        static SyncRun Slewed(string network, double ppm, int seed, double seconds = 60)
+        static SyncRun Slewed(string network, double ppm, int seed, double seconds = 60, bool isBusy = false)
         {
             const double Interval = 0.2;
             var link = new SimulatedLink(NetworkProfile.Named(network), seed, skewPpm: 20);
+            if (isBusy) link.Load = SimulatedLink.Queues;
             var run = new SyncRun(new DefaultClockEstimator());
             run.Run(link, 0, 120);
             for (var exchange = 0; exchange < seconds / Interval; exchange++)
