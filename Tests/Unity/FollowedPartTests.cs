@@ -123,6 +123,8 @@ public class FollowedPartTests : PlayedParts
         ((CellSignal)parts[2]).Follow(_session);
         ((ActuatedPart)parts[3]).Follow(_session);
         Assert.That(_session.Parts.Count, Is.Zero);
+        Assert.That(((TrackedObject)parts[0]).Fault, Is.EqualTo(ObjectMessages.Disabled("tracked object", parts[0].name)));
+        Assert.That(((StationaryObject)parts[1]).Fault, Is.EqualTo(ObjectMessages.Disabled("stationary object", parts[1].name)));
         foreach (var part in parts) part.enabled = true;
 
         Assert.That(_session.Parts.Count, Is.EqualTo(4));

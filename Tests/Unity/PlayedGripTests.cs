@@ -135,6 +135,7 @@ public class PlayedGripTests : PlayedParts
         Assert.That(FaultsNow(), Is.EqualTo("gripper grip: " + StatusMessages.NoRig));
         grip.enabled = false;
         Assert.That(FaultsNow(), Is.Empty);
+        Assert.That(grip.Fault, Is.EqualTo(ObjectMessages.Disabled("grip by reach", "grip")));
     }
 
     [TestCase(false)]

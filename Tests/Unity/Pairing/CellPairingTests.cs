@@ -58,6 +58,20 @@ public class CellPairingTests
     }
 
     [Test]
+    public void Call_WhileDisabled_IsLogged()
+    {
+        _played.Pairing.enabled = false;
+
+        _played.Pairing.Accept();
+        _played.Pairing.Refuse();
+        _played.Pairing.AskToForget();
+        _played.Pairing.Forget();
+        _played.Pairing.ReadCode("code");
+
+        Assert.That(_played.Cell.Messages, Has.Exactly(5).Contains(ComponentMessages.PairingDisabled));
+    }
+
+    [Test]
     public void Accept_GatewayOnAnotherMachine_WaitsForItsCode()
     {
         _played.Shown.Texts.Add(Press);

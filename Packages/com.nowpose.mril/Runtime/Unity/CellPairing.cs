@@ -7,6 +7,7 @@ using Nowpose.Messages;
 using Nowpose.Network;
 using Nowpose.Pairing;
 using Nowpose.Unity.Cell;
+using Nowpose.Unity.Messages;
 using Nowpose.Unity.Session;
 using UnityEngine;
 using UnityEngine.Events;
@@ -90,20 +91,20 @@ namespace Nowpose.Unity
         public string Cell => Flow?.Cells.Used?.Cell;
 
         /// <summary>Answers the open question with yes. Does nothing if no question is open.</summary>
-        public void Accept() => Flow?.Accept();
+        public void Accept() => Called?.Accept();
 
         /// <summary>
         /// Answers the open question with no. A declined gateway stays declined until the application restarts, or until <see cref="AskToForget"/> or
         /// <see cref="ReadCode"/> is called.
         /// </summary>
-        public void Refuse() => Flow?.Refuse();
+        public void Refuse() => Called?.Refuse();
 
         /// <summary>Opens a <see cref="Question"/> that asks whether to forget the cell in use.</summary>
         /// <remarks>After either answer, the pairing asks again about declined gateways and cells when their markers come into view.</remarks>
-        public void AskToForget() => Flow?.AskToForget();
+        public void AskToForget() => Called?.AskToForget();
 
         /// <summary>Deletes the cell in use and its token without asking the wearer. When a marker comes into view, the pairing asks again.</summary>
-        public void Forget() => Flow?.Forget();
+        public void Forget() => Called?.Forget();
 
         /// <summary>
         /// Processes the text of a code that was typed or scanned elsewhere: offers a paired cell at once, and reports each invalid text. A reader of codes may
@@ -111,7 +112,17 @@ namespace Nowpose.Unity
         /// </summary>
         public void ReadCode(string text)
         {
-            if (_source != null) Flow?.Read(text?.Trim() ?? "", _source.HeadsetClock.Now);
+            if (Called is PairingFlow flow && _source != null) flow.Read(text?.Trim() ?? "", _source.HeadsetClock.Now);
+        }
+
+        // The flow for a method that a script or an event has called. A call while this component is disabled has no effect, so it is logged.
+        PairingFlow Called
+        {
+            get
+            {
+                if (Flow == null && !isActiveAndEnabled) ConsoleLog.Warn(this, ComponentMessages.Of("cell pairing", name, ComponentMessages.PairingDisabled));
+                return Flow;
+            }
         }
 
         // Null while this component is disabled or has no session.

@@ -30,6 +30,7 @@ namespace Nowpose.Unity.Messages
             "no session is on this object or a parent, so no base anchor uses the markers; move the component to the session's object";
 
         public const string SweepDisabled = "is switched off or has not started yet; enable it and its object, and start the sweep again";
+        public const string PairingDisabled = "is switched off or has not started yet, so the call has no effect; enable it and its object first";
         public const string NoLoadGenerator = "has no load generator on its object or a child; assign one";
         public const string NoRenderTimeSource = "has no render time source at its session; assign one";
 

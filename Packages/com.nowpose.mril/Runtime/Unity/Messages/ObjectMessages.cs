@@ -1,6 +1,7 @@
 using System;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
+using UnityEngine;
 
 namespace Nowpose.Unity.Messages
 {
@@ -22,6 +23,10 @@ namespace Nowpose.Unity.Messages
         public const string RobotUnknown = "its robot is unknown";
 
         public static string Disabled(string kind, string component) => $"{kind} '{component}' is disabled; enable or remove it";
+
+        /// <summary>Reason why a component follows nothing: it is disabled, or it has no session.</summary>
+        public static string FollowsNothing(string kind, MonoBehaviour component) =>
+            component.enabled ? StatusMessages.NoSession : Disabled(kind, component.name);
 
         public static string MovedByJoint(string rig, string joint) =>
             $"joint '{joint}' of the rig '{rig}' moves the same object; put the actuated part on a child object";
