@@ -124,23 +124,30 @@ export class RobotView {
     this.isAsked = true;
     requestAnimationFrame(() => {
       this.isAsked = false;
-      this.widen();
-      this.renderer!.render(this.scene, this.orbit!.camera);
-      this.labels.show(this.labelled(), this.orbit!.camera);
-      this.drawn = this.appearance();
+      this.draw();
     });
   }
 
   /**
-   * Requests a redraw if an object has moved, appeared, disappeared or got another material since the last picture. A change of a material or a shape
-   * itself needs `ask`.
+   * Draws if an object has moved, appeared, disappeared or got another material since the last picture. A change of a material or a shape itself needs
+   * `ask`.
+   * @returns Whether the view has changed.
    */
-  askIfChanged(): void {
-    if (this.isAsked || !this.isVisible) return;
+  drawIfChanged(): boolean {
+    if (this.isAsked || !this.isVisible) return this.isAsked;
     const current = this.appearance();
     const isSame = (value: number | string | null, former: number | string | null) =>
       value === former || (typeof value === 'number' && typeof former === 'number' && Math.abs(value - former) < TOLERANCE);
-    if (current.length !== this.drawn.length || !current.every((value, i) => isSame(value, this.drawn[i]))) this.ask();
+    const hasChanged = current.length !== this.drawn.length || !current.every((value, i) => isSame(value, this.drawn[i]));
+    if (hasChanged) this.draw();
+    return hasChanged;
+  }
+
+  private draw(): void {
+    this.widen();
+    this.renderer!.render(this.scene, this.orbit!.camera);
+    this.labels.show(this.labelled(), this.orbit!.camera);
+    this.drawn = this.appearance();
   }
 
   private labelled(): Label[] {

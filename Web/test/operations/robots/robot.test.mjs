@@ -99,7 +99,7 @@ describe('the robot', () => {
     await becomes(page, '.apart', robotMessages.toolError('left door', 0, 0));
   });
 
-  for (const shape of ['bodies', 'lines']) it(`is drawn as ${shape} again only when something has changed`, async () => {
+  for (const shape of ['bodies', 'lines']) it(`is drawn as ${shape} again, and requests frames, only when something has changed`, async () => {
     if (shape === 'lines') gateway.urdf = gateway.urdf.replace(/<geometry>[^]*?<\/geometry>/g, '<geometry><mesh filename="link.stl"/></geometry>');
     gateway.turned = 0;
     gateway.pace = 0;
@@ -107,21 +107,21 @@ describe('the robot', () => {
     await becomes(page, '.apart', robotMessages.toolError('left door', 0, 0));
     await bodiesDrawn(page);
     await page.evaluate(() => {
-      window.clears = 0;
-      const { clear } = WebGL2RenderingContext.prototype;
-      WebGL2RenderingContext.prototype.clear = function (...all) { window.clears++; return clear.apply(this, all); };
+      const counted = action => function (...all) { window.count++; return action.apply(this, all); };
+      WebGL2RenderingContext.prototype.clear = counted(WebGL2RenderingContext.prototype.clear);
+      window.requestAnimationFrame = counted(requestAnimationFrame);
     });
-    const clears = async () => {
-      await page.evaluate(() => { window.clears = 0; });
+    const picturesAndFrames = async () => {
+      await page.evaluate(() => { window.count = 0; });
       await nextState(page);
-      return page.evaluate(() => window.clears);
+      return page.evaluate(() => window.count);
     };
 
     // On a busy machine, samples arrive late, and poses disappear for a while.
-    assert.equal(await drawn(clears, count => count === 0), 0);
+    assert.equal(await drawn(picturesAndFrames, count => count === 0), 0);
 
     gateway.pace = 1;
-    assert.ok(await drawn(clears, count => count > 0) > 0, 'the robot moves');
+    assert.ok(await drawn(picturesAndFrames, count => count > 0) > 0, 'the robot moves');
   });
 
   it('is not compared if no new positions arrive', async () => {
