@@ -180,8 +180,8 @@ namespace Nowpose.Sync
         // Returns whether the line has been outside the bounds of the recent exchanges for too long.
         bool IsRefuted(HeadsetTime now)
         {
-            if (!_estimator.FitsBounds) return false;
-            if (_envelope.MinError(_estimator.Line) <= _settings.StepMargin) _contradictsSince = null;
+            if (!(_estimator.MaxOutsideBounds is TimeSpan allowed)) return false;
+            if (_envelope.MinError(_estimator.Line) <= _settings.StepMargin + allowed) _contradictsSince = null;
             else _contradictsSince ??= now;
             return now - _contradictsSince > MaxContradiction;
         }

@@ -11,8 +11,11 @@ namespace Nowpose.Sync
         /// <summary>Possible error of the offset due to path changes that were not recognised, in addition to the standard error.</summary>
         TimeSpan PathChangeError { get; }
 
-        /// <summary>Whether the line fits the bounds of the exchanges. A line that stays outside the bounds of the recent ones is then wrong.</summary>
-        bool FitsBounds { get; }
+        /// <summary>
+        /// Maximum distance of a correct line from the bounds of the recent exchanges. A line that stays farther outside them is wrong. Null if the
+        /// line need not fit the bounds.
+        /// </summary>
+        TimeSpan? MaxOutsideBounds { get; }
 
         /// <param name="exchange">An exchange that has passed <see cref="SyncExchangeRules.Check"/> and is newer than all previous exchanges.</param>
         void Add(in SyncExchange exchange);

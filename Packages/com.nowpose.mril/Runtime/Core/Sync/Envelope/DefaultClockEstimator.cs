@@ -86,7 +86,7 @@ namespace Nowpose.Sync.Envelope
 
         public TimeSpan PathChangeError { get; private set; }
 
-        public bool FitsBounds => true;
+        public TimeSpan? MaxOutsideBounds { get; private set; } = TimeSpan.Zero;
 
         public void Restart(double skewUncertainty)
         {
@@ -135,13 +135,16 @@ namespace Nowpose.Sync.Envelope
             var running = ClockTicks.Seconds(newest.Received - _start);
             // A skew outside the proven range would leave large residuals, as if the data were inaccurate.
             var proven = ProvenSkew.Of(_history, exchange.Resolution);
-            var unsampled = ClockTicks.Seconds(_unsampledPart.Of(_history, exchange.Resolution));
+            var part = _unsampledPart.Of(_history, exchange.Resolution);
+            var unsampled = ClockTicks.Seconds(part);
+            var common = UnsampledPart.CommonError(part, exchange.Resolution);
             _fit.Solve(
                 ClockTicks.Seconds(scatter + exchange.Resolution), unsampled, new OffsetCurve(proven.Nearest(_curve.Slope), _curve.Bend),
                 proven.Nearest(_expectedSkew), Math.Min(SkewPrior, _skewUncertainty + SkewWander * running),
                 (ClockTicks.Seconds(_unrecognised.ProbableAt - newest.Received), _unrecognised.ProbableChange));
             _curve = _fit.Curve;
-            Line = LineAt(newest.Received, middle, running, unsampled);
+            Line = LineAt(newest.Received, middle, running, unsampled, ClockTicks.Seconds(common));
+            MaxOutsideBounds = common;
             PathChangeError = ClockTicks.Span(_unrecognised.Error(_up, _down));
         }
 
@@ -186,7 +189,7 @@ namespace Nowpose.Sync.Envelope
             _above.Add(ClockTicks.Seconds(reply.Received - reference), ClockTicks.Seconds(new TimeSpan(reply.Upper - referenceOffset)));
         }
 
-        ClockLine LineAt(HeadsetTime reference, long referenceOffset, double running, double unsampled)
+        ClockLine LineAt(HeadsetTime reference, long referenceOffset, double running, double unsampled, double common)
         {
             var span = ClockTicks.Seconds(reference - _history[_history.Count - 1].Received);
             var slope = _curve.Slope - 2 * _curve.Bend * Math.Min(SkewAge, span / 2);
@@ -206,7 +209,8 @@ namespace Nowpose.Sync.Envelope
                 ClockLine.MaxSkewError(skew), _fit.SlopeError + Math.Abs(skew - _steadySkew) + Math.Abs(slope - skew) + hidden + server);
             _steadySkewError += (skewError - _steadySkewError) * share;
             var offset = new ClockOffset(new TimeSpan(referenceOffset) + ClockTicks.Span(_fit.Offset));
-            var error = _fit.OffsetError + (_up.Error + _down.Error) / 2;
+            // Three standard errors include the common error.
+            var error = _fit.OffsetError + (_up.Error + _down.Error) / 2 + common / 3;
             var line = new ClockLine(reference, offset, skew, ClockTicks.Span(error), skewError, _exchanges);
             _memory.Add(line, running);
             return new ClockLine(reference, offset, skew, ClockTicks.Span(error + _memory.Error), skewError, _exchanges);

@@ -14,6 +14,11 @@ namespace Nowpose.Sync.Envelope
         /// </summary>
         const int Recent = 60;
 
+        /// <summary>
+        /// The longest gap of exchanges at random times exceeds the step divided by this number with a probability of 0.1 %.
+        /// </summary>
+        const int RandomDivisor = 6;
+
         readonly long[] _parts = new long[Recent];
 
         /// <summary>Computes the part for a history of at least one exchange: zero without a resolution, the whole step for one exchange.</summary>
@@ -29,5 +34,11 @@ namespace Nowpose.Sync.Envelope
             for (var i = 1; i < count; i++) longest = Math.Max(longest, _parts[i] - _parts[i - 1]);
             return new TimeSpan(longest);
         }
+
+        /// <summary>
+        /// Returns the maximum error that all exchanges have in common: half of the part, without the length that random times leave.
+        /// </summary>
+        public static TimeSpan CommonError(TimeSpan part, TimeSpan resolution) =>
+            new TimeSpan(Math.Max(0, part.Ticks - resolution.Ticks / RandomDivisor) / 2);
     }
 }

@@ -40,7 +40,7 @@ namespace Nowpose.Sync.Ransac
         /// <summary>Zero: this estimator does not search for changes of the path.</summary>
         public TimeSpan PathChangeError => TimeSpan.Zero;
 
-        public bool FitsBounds => false;
+        public TimeSpan? MaxOutsideBounds => null;
 
         public void Restart(double skewUncertainty)
         {

@@ -48,6 +48,26 @@ namespace Nowpose.Tests.Core.Sync
             Assert.That(run.Clock.Steps, Is.EqualTo(0), "no clock stepped; seed " + seed);
         }
 
+        /// <summary>
+        /// Such exchanges have a common error of up to half a step, which changes by a step when they reach the next one. Nothing else is wrong.
+        /// </summary>
+        [Test, Combinatorial]
+        public void EstimatedError_ExchangesAtTheSamePhaseOfTheCycle_HoldsAndAllExchangesAreKept(
+            [Values(4, 10)] double resolutionMs, [Values(-50, 20, 50)] double skewPpm)
+        {
+            const int Seconds = 900, ExchangesPerSecond = 5;
+            var seed = 900 + (int)skewPpm;
+            var link = new SimulatedLink(NetworkProfile.Lan, seed, skewPpm) { Resolution = Lengths.Ms(resolutionMs) };
+            var run = new SyncRun(new DefaultClockEstimator());
+
+            run.Run(link, 0, Seconds);
+
+            var later = run.Instants.Where(i => i.At >= 20).ToArray();
+            Assert.That(
+                later.Average(i => Math.Abs(i.ErrorMs) <= i.Model.EstimatedError.TotalMilliseconds ? 1 : 0), Is.GreaterThan(0.999), "seed " + seed);
+            Assert.That(run.Clock.Exchanges, Is.EqualTo(Seconds * ExchangesPerSecond).Within(1), "seed " + seed);
+        }
+
         [TestCase(1, 5)]
         [TestCase(4, 20)]
         [TestCase(10, -50)]
