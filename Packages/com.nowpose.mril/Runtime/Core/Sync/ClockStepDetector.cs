@@ -67,7 +67,7 @@ namespace Nowpose.Sync
         /// Returns the maximum distance of the true offset from the line at its reference time if the suspected exchanges are right; zero without
         /// suspected exchanges.
         /// </summary>
-        public TimeSpan MaxSuspectedError(in ClockLine line) => _suspects.Count == 0 ? TimeSpan.Zero : _suspected.MaxError(line);
+        public TimeSpan MaxSuspectedError(in ClockLine line) => _suspects.Count == 0 ? TimeSpan.Zero : _suspected.ErrorOf(line).Max;
 
         /// <summary>Classifies an exchange before it is added to the envelope and the line.</summary>
         public ClockChange Judge(in SyncExchange exchange, in ClockLine line, OffsetEnvelope envelope)

@@ -151,12 +151,14 @@ namespace Nowpose.Sync
                     return SyncVerdict.Step;
                 default:
                     Use(exchange);
-                    if (IsRefuted(exchange.T4))
+                    var proven = _envelope.ErrorOf(_estimator.Line);
+                    if (IsRefuted(proven.Min, exchange.T4))
                     {
                         ResetLine(SkewUncertaintyAfterStep);
                         _estimator.Add(exchange);
+                        proven = _envelope.ErrorOf(_estimator.Line);
                     }
-                    Publish(exchange, stepped: false);
+                    Publish(exchange, proven.Max, stepped: false);
                     return SyncVerdict.Consistent;
             }
         }
@@ -174,14 +176,14 @@ namespace Nowpose.Sync
             foreach (var suspect in _detector.Suspects) Use(suspect);
             _detector.Reset();
             if (stepped) _slew.Add(_estimator.Line);
-            Publish(exchange, stepped);
+            Publish(exchange, _envelope.ErrorOf(_estimator.Line).Max, stepped);
         }
 
         // Returns whether the line has been outside the bounds of the recent exchanges for too long.
-        bool IsRefuted(HeadsetTime now)
+        bool IsRefuted(TimeSpan outside, HeadsetTime now)
         {
             if (!(_estimator.MaxOutsideBounds is TimeSpan allowed)) return false;
-            if (_envelope.MinError(_estimator.Line) <= _settings.StepMargin + allowed) _contradictsSince = null;
+            if (outside <= _settings.StepMargin + allowed) _contradictsSince = null;
             else _contradictsSince ??= now;
             return now - _contradictsSince > MaxContradiction;
         }
@@ -214,10 +216,10 @@ namespace Nowpose.Sync
                 _estimate.RoundTripTime, _estimate.Resolution, _estimate.Steps, isStepSuspected: true);
         }
 
-        void Publish(in SyncExchange exchange, bool stepped)
+        // The proven error is a parameter, because the check of the line needs it too, and computing it reads all recent exchanges.
+        void Publish(in SyncExchange exchange, TimeSpan proven, bool stepped)
         {
             var line = _estimator.Line;
-            var proven = _envelope.MaxError(line);
             // While a step is suspected, this exchange allows for it, and either the earlier or the suspected exchanges are right.
             var suspected = _detector.MaxSuspectedError(line);
             var bound = (suspected > proven ? suspected : proven) + _detector.Suspicion;

@@ -59,20 +59,15 @@ namespace Nowpose.Sync.Envelope
         }
 
         /// <summary>
-        /// Returns the maximum distance of the true offset from the line at its reference time, including the server's own error: the
-        /// distance to the farther end of the interval.
+        /// Returns the minimum and the maximum distance of the true offset from the line at its reference time, including the server's own error: the
+        /// distances to the nearer end of the interval (zero for a line in the interval) and to the farther end.
         /// </summary>
-        public TimeSpan MaxError(in ClockLine line)
+        public (TimeSpan Min, TimeSpan Max) ErrorOf(in ClockLine line)
         {
-            var (lower, upper) = Around(line);
-            return new TimeSpan(Math.Max(Math.Abs(upper), Math.Abs(lower)));
-        }
-
-        /// <summary>Returns the minimum distance of the true offset from the line at its reference time; zero if the line is in the interval.</summary>
-        public TimeSpan MinError(in ClockLine line)
-        {
-            var (lower, upper) = Around(line);
-            return new TimeSpan(Math.Max(0, Math.Max(lower, -upper)));
+            var (lower, upper) = At(line.Reference, line, ServerError.AsStatedSince);
+            var offset = line.Offset.HeadsetMinusControl.Ticks;
+            return (new TimeSpan(Math.Max(0, Math.Max(lower - offset, offset - upper))),
+                new TimeSpan(Math.Max(Math.Abs(upper - offset), Math.Abs(offset - lower))));
         }
 
         /// <summary>
@@ -102,14 +97,6 @@ namespace Nowpose.Sync.Envelope
             for (var i = newest; i < _history.Count; i++) corridor.Add(line, _history[i]);
         }
 
-        // The interval at the line's reference time, relative to the line.
-        (long Lower, long Upper) Around(in ClockLine line)
-        {
-            var (lower, upper) = At(line.Reference, line, ServerError.AsStatedSince);
-            var offset = line.Offset.HeadsetMinusControl.Ticks;
-            return (lower - offset, upper - offset);
-        }
-
         (long Lower, long Upper) At(HeadsetTime now, in ClockLine line, ServerError included)
         {
             var skewError = line.Exchanges == 0 ? ClockLine.MaxSkew : 3 * line.SkewError + _skewUncertainty;
@@ -127,8 +114,8 @@ namespace Nowpose.Sync.Envelope
                     _ => 0,
                 };
                 var margin = bounds.HalfResolution + serverError;
-                lower = Math.Max(lower, Extrapolated(bounds.Lower, now - bounds.Sent, line.Skew, -skewError) - margin);
-                upper = Math.Min(upper, Extrapolated(bounds.Upper, now - bounds.Received, line.Skew, skewError) + margin);
+                lower = Math.Max(lower, Extrapolated(bounds.Lower, (now - bounds.Sent).Ticks, line.Skew, -skewError) - margin);
+                upper = Math.Min(upper, Extrapolated(bounds.Upper, (now - bounds.Received).Ticks, line.Skew, skewError) + margin);
             }
             return (lower, upper);
         }
@@ -149,7 +136,7 @@ namespace Nowpose.Sync.Envelope
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        static long Extrapolated(long bound, TimeSpan age, double skew, double widening) =>
-            bound + (long)(age.Ticks * skew) + (long)(Math.Abs(age.Ticks) * widening);
+        static long Extrapolated(long bound, double ageTicks, double skew, double widening) =>
+            bound + (long)(ageTicks * skew) + (long)(Math.Abs(ageTicks) * widening);
     }
 }
