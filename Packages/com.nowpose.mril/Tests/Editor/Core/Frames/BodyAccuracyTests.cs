@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Nowpose.Anchoring;
 using Nowpose.Frames;
 using Nowpose.Prediction;
@@ -33,7 +34,14 @@ namespace Nowpose.Tests.Core.Frames
             { "rest, noise", BodyMotions.WithNoise(BodyMotions.Rest, seed: 73) },
             { "jumping rate", BodyMotions.JumpingRate },
             { "constant turning, noise", BodyMotions.WithNoise(BodyMotions.Constant(new Vector3D(0.3, 0.5, 2)), seed: 74) },
-        };
+        }.ToDictionary(named => named.Key, named => Remembered(named.Value));
+
+        // All predictors, and all tests of a motion, need the same samples. Computing some of them takes longer than predicting them.
+        static Func<double, PoseSample> Remembered(Func<double, PoseSample> motion)
+        {
+            var samples = new Dictionary<double, PoseSample>();
+            return time => samples.TryGetValue(time, out var sample) ? sample : samples[time] = motion(time);
+        }
 
         [TestCase("hand-held", 20, 100, 0.7)]
         [TestCase("hand-held", 50, 100, 0.7)]
