@@ -116,7 +116,8 @@ public sealed partial class WordingTests
             Pattern.Matches(line.Text).Select(match => $"{line.File}:{line.Number}: '{match.Value}'; use {Instead}");
     }
 
-    [GeneratedRegex(@"\b\w*(?:Quarrel|Newcomer|Optimism|MomentOfLight|Unmet|Unheard|Doubt|Told)\w*\b")]
+    // Begins with the word instead of the name that contains it: the search for a literal takes a fraction of the time.
+    [GeneratedRegex(@"(?:Quarrel|Newcomer|Optimism|MomentOfLight|Unmet|Unheard|Doubt|Told)\w*")]
     private static partial Regex PrivateNames();
 
     [GeneratedRegex(@"\b(?:const|static readonly) \S+ _?(?:Least|Greatest|Most|Fewest|Longest|Shortest)[A-Z]")]
