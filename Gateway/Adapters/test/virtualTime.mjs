@@ -1,6 +1,6 @@
 // Runs asynchronous code in virtual time: a timer ends when nothing else is left to do before it, so a busy machine only makes a test slower.
 import { Socket } from 'node:net';
-import { setImmediate as idle, setTimeout as sleep } from 'node:timers/promises';
+import { setImmediate as idle } from 'node:timers/promises';
 
 /** Length of the reading of a clock, ns, so that two readings return two times. */
 const READING = 731n;
@@ -17,13 +17,17 @@ const WAITING = /^(Timeout|Immediate|MessagePort|(TCP|TCPServer|TCPSocket|Pipe|T
 /** The newest virtual time of this process; null before the first one. */
 let newest = null;
 
-const { setTimeout: later } = globalThis;
+const { setTimeout: later, clearTimeout: cancel } = globalThis;
 
 /** Resolves before the next timer in virtual time, or after a real second if work does not end before it; or after 10 ms in real time. */
 export const moment = () => new Promise(resolve => {
   if (!newest?.isCurrent) return setTimeout(resolve, 10);
-  newest.waiting.push(resolve);
-  return later(resolve, 1000);
+  // A timer that remains would be one more resource to list in each later step.
+  const limit = later(resolve, 1000);
+  return newest.waiting.push(() => {
+    cancel(limit);
+    resolve();
+  });
 });
 
 export class VirtualTime {
@@ -36,12 +40,13 @@ export class VirtualTime {
 
   /** @param t Context of the test, which restores the timers afterwards. */
   constructor(t) {
-    const { clearTimeout } = globalThis;
-    t.mock.method(globalThis, 'setTimeout', (then, ms, ...more) => this.start(() => then(...more), ms));
-    t.mock.method(globalThis, 'clearTimeout', timer => {
+    // The context restores methods that it has mocked. The functions replace its mocks, which would record the stack of each call.
+    for (const name of ['setTimeout', 'clearTimeout']) t.mock.method(globalThis, name);
+    globalThis.setTimeout = (then, ms, ...more) => this.start(() => then(...more), ms);
+    globalThis.clearTimeout = timer => {
       this.end(timer);
-      clearTimeout(timer);
-    });
+      cancel(timer);
+    };
   }
 
   /**
@@ -101,19 +106,25 @@ export class VirtualTime {
   }
 
   /** Resolves when all data have been read, and all work in progress is done; or when a timer is due because the data do not end. */
-  async #quiet() {
-    for (let turns = 0, seen = this.arrivals; turns < QUIET_TURNS && this.isCurrent;) {
-      await idle();
-      turns++;
-      if (seen !== this.arrivals) {
-        [turns, seen] = [0, this.arrivals];
-        this.now += ARRIVAL;
-        if (this.#due.some(({ time }) => time <= this.now)) return;
-      } else if (turns === QUIET_TURNS && !process.getActiveResourcesInfo().every(name => WAITING.test(name))) {
-        turns = 0;
-        await sleep(1);
-      }
-    }
+  #quiet() {
+    return new Promise(resolve => {
+      let turns = 0, seen = this.arrivals;
+      const turn = () => {
+        turns++;
+        if (seen !== this.arrivals) {
+          [turns, seen] = [0, this.arrivals];
+          this.now += ARRIVAL;
+          if (this.#due.some(({ time }) => time <= this.now)) return resolve();
+        } else if (turns === QUIET_TURNS) {
+          if (process.getActiveResourcesInfo().every(name => WAITING.test(name))) return resolve();
+          turns = 0;
+          return later(turn, 1);
+        }
+        return this.isCurrent ? setImmediate(turn) : resolve();
+      };
+      // Calls functions instead of awaiting promises, because the test runner tracks each promise, which takes longer than the turn.
+      setImmediate(turn);
+    });
   }
 
   #step() {
