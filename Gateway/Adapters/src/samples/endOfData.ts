@@ -228,27 +228,25 @@ export class EndOfData {
     return Math.min(this.#smallestStep, bound);
   }
 
-  /** Gets the decelerations from the newest second differences; 0 for an acceleration. */
+  /** Gets the decelerations from the newest second differences, the newest one last; 0 for an acceleration. */
   #decelerations(count: number): number[] {
-    return this.#differences(count).map(({ acceleration, direction }) => Math.max(0, -direction * acceleration));
+    const points = this.#points;
+    const decelerations: number[] = [];
+    for (let i = Math.max(2, points.length - count); i < points.length; i++) {
+      const [first, middle, last] = [points[i - 2], points[i - 1], points[i]];
+      const h1 = middle.time - first.time;
+      const h2 = last.time - middle.time;
+      const v1 = (middle.position - first.position) / h1;
+      const v2 = (last.position - middle.position) / h2;
+      const acceleration = (v2 - v1) / ((h1 + h2) / 2);
+      decelerations.push(Math.max(0, -Math.sign(v1 + v2) * acceleration));
+    }
+    return decelerations;
   }
 
   #sustained(): number {
     const newest = this.#decelerations(SUSTAINED);
     return newest.length < SUSTAINED ? 0 : Math.min(...newest);
-  }
-
-  /** Gets the newest second differences. */
-  #differences(count: number): { acceleration: number; direction: number }[] {
-    return this.#points.slice(-count - 2).flatMap((last, i, points) => {
-      if (i < 2) return [];
-      const [first, middle] = [points[i - 2], points[i - 1]];
-      const h1 = middle.time - first.time;
-      const h2 = last.time - middle.time;
-      const v1 = (middle.position - first.position) / h1;
-      const v2 = (last.position - middle.position) / h2;
-      return [{ acceleration: (v2 - v1) / ((h1 + h2) / 2), direction: Math.sign(v1 + v2) }];
-    });
   }
 
   #isGap(interval: number): boolean {
