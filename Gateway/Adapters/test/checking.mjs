@@ -4,9 +4,12 @@ import { parts } from './parts.mjs';
 const { readConfiguration, kinds } = await parts('configuration/configuration', 'kinds');
 
 /** Returns the lines that --check writes for a configuration file; an empty list if the file is valid. */
-export function wrongIn(path, environment = {}) {
+export const wrongIn = (path, environment = {}) => linesOf(() => readConfiguration(path, environment, kinds));
+
+/** Returns the lines of the error that a check throws; an empty list if it throws none. */
+export function linesOf(check) {
   try {
-    readConfiguration(path, environment, kinds);
+    check();
     return [];
   } catch (error) {
     return error.message.split('\n');

@@ -1,10 +1,13 @@
 // Replaces each entry of a configuration by values of other forms. If a value is invalid, the check must report this entry only.
 import assert from 'node:assert/strict';
-import { rmSync, writeFileSync } from 'node:fs';
 import { it } from 'node:test';
+import { Document, LineCounter } from 'yaml';
 import { kinds, schema } from '../loading.mjs';
-import { wrongIn } from './checking.mjs';
+import { linesOf } from './checking.mjs';
+import { parts } from './parts.mjs';
 import { temporaryFile } from './temporary.mjs';
+
+const { checkConfiguration, kinds: plants, YamlFile } = await parts('configuration/configuration', 'kinds', 'configuration/yamlFile');
 
 /**
  * Values of every form. The section has the name of a robot, because the joints need it in the section robots. Every second
@@ -96,24 +99,22 @@ function foreignTo(kind) {
 
 const textOf = path => path.map((step, i) => (/^\d+$/.test(step) ? `[${step}]` : i > 0 ? `.${step}` : step)).join('');
 
+/** Checks the content of a file. The lines have no numbers: writing and parsing a text would take most of the time of a check. */
+const wrongIn = content => linesOf(() => checkConfiguration(new YamlFile('plant.yaml', new Document(content), new LineCounter()), {}, plants));
+
 for (const kind of kinds)
   it(`Check_EntryOfAnotherForm_${kind}_ReportsOnlyThisEntry`, () => {
-    const path = temporaryFile('plant.yaml', ''), valid = { gateway, ...VALID[kind] };
-    const check = changed => {
-      rmSync(path);
-      writeFileSync(path, JSON.stringify(changed));
-      return wrongIn(path);
-    };
-    assert.deepEqual(check(valid), []);
+    const valid = JSON.stringify({ gateway, ...VALID[kind] });
+    assert.deepEqual(wrongIn(JSON.parse(valid)), []);
     const failed = [];
     let refused = 0;
 
-    const paths = [...new Map([...pathsIn(valid), ...foreignTo(kind)].map(each => [textOf(each), each])).values()];
+    const paths = [...new Map([...pathsIn(JSON.parse(valid)), ...foreignTo(kind)].map(each => [textOf(each), each])).values()];
     for (const [place, at] of paths.entries())
       for (const form of FORMS.filter((_, i) => (i + place) % 2 === 0)) {
-        const changed = JSON.parse(JSON.stringify(valid)), section = at.slice(0, -1).reduce((value, step) => value[step], changed);
+        const changed = JSON.parse(valid), section = at.slice(0, -1).reduce((value, step) => value[step], changed);
         section[at.at(-1)] = form;
-        const lines = check(changed), own = textOf(at), names = lines.map(line => /, line \d+: ([^:]+): ./.exec(line)?.[1]);
+        const lines = wrongIn(changed), own = textOf(at), names = lines.map(line => /, line \d+: ([^:]+): ./.exec(line)?.[1]);
         const isOwn = name => name === own || name?.startsWith(`${own}.`) || name?.startsWith(`${own}[`);
         // A valid value may contradict another entry.
         if (names.includes(undefined) || names.some(isOwn) && !names.every(isOwn)) failed.push(`${own} = ${JSON.stringify(form)}: ${names.includes(undefined) ? lines : names}`);

@@ -95,7 +95,20 @@ export function readConfiguration(
   kinds: Record<KindName, Kind>,
   isForMachine = false,
 ): CheckedConfiguration {
-  const file = new YamlFile(path);
+  return checkConfiguration(YamlFile.read(path), environment, kinds, isForMachine);
+}
+
+/**
+ * Checks a parsed configuration like readConfiguration.
+ * @throws ConfigurationError The configuration is invalid.
+ */
+export function checkConfiguration(
+  file: YamlFile,
+  environment: NodeJS.ProcessEnv,
+  kinds: Record<KindName, Kind>,
+  isForMachine = false,
+): CheckedConfiguration {
+  const { path } = file;
   const name = kindOf(file);
   const kind = kinds[name];
   const content: Content = checkAgainstSchema(file, name);

@@ -18,18 +18,36 @@ export class YamlFile {
   readonly value: unknown;
   readonly problems: Problem[] = [];
   readonly warnings: Problem[] = [];
-  readonly #lines = new LineCounter();
   readonly #document: Document;
+  readonly #lines: LineCounter;
   readonly #invalid = new Set<string>();
 
+  constructor(
+    readonly path: string,
+    document: Document,
+    lines: LineCounter,
+  ) {
+    this.#document = document;
+    this.#lines = lines;
+    try {
+      this.value = document.toJS({ maxAliasCount: 100 });
+      // JSON.stringify throws for a circular structure, which aliases can create.
+      JSON.stringify(this.value);
+    } catch (error) {
+      const text = error instanceof TypeError ? fileMessages.circular : (error as Error).message;
+      throw new ConfigurationError(path, [{ line: 1, text }]);
+    }
+  }
+
   /**
-   * Reads and parses the file.
+   * Reads and parses a file.
    * @throws ConfigurationError The file cannot be read, or is not valid YAML.
    */
-  constructor(readonly path: string) {
+  static read(path: string): YamlFile {
     const text = read(path);
-    this.#document = parseDocument(text, {
-      lineCounter: this.#lines,
+    const lines = new LineCounter();
+    const document = parseDocument(text, {
+      lineCounter: lines,
       prettyErrors: false,
       uniqueKeys: true,
       logLevel: 'error',
@@ -37,23 +55,16 @@ export class YamlFile {
       resolveKnownTags: false,
     });
     // Reports only the first error, because later errors are often its consequences and have wrong lines.
-    const [error] = [...this.#document.errors].sort((a, b) => a.pos[0] - b.pos[0]);
+    const [error] = [...document.errors].sort((a, b) => a.pos[0] - b.pos[0]);
     if (error !== undefined)
-      throw new ConfigurationError(path, [{ line: this.#lines.linePos(error.pos[0]).line, text: inWords(error.code, error.message) }]);
-    const tags = this.#document.warnings.filter(warning => warning.code === 'TAG_RESOLVE_FAILED');
+      throw new ConfigurationError(path, [{ line: lines.linePos(error.pos[0]).line, text: inWords(error.code, error.message) }]);
+    const tags = document.warnings.filter(warning => warning.code === 'TAG_RESOLVE_FAILED');
     if (tags.length > 0)
       throw new ConfigurationError(
         path,
-        tags.map(({ pos }) => ({ line: this.#lines.linePos(pos[0]).line, text: fileMessages.tag(text.slice(...pos)) })),
+        tags.map(({ pos }) => ({ line: lines.linePos(pos[0]).line, text: fileMessages.tag(text.slice(...pos)) })),
       );
-    try {
-      this.value = this.#document.toJS({ maxAliasCount: 100 });
-      // JSON.stringify throws for a circular structure, which aliases can create.
-      JSON.stringify(this.value);
-    } catch (error) {
-      const text = error instanceof TypeError ? fileMessages.circular : (error as Error).message;
-      throw new ConfigurationError(path, [{ line: 1, text }]);
-    }
+    return new YamlFile(path, document, lines);
   }
 
   /** Adds an error in an entry, unless the entry is marked as invalid. The error of a missing entry has the line of its parent. */
