@@ -95,6 +95,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         // The device corrects its map by a few millimetres. Afterwards all poses agree again.
+        [Category("Study")]
         [TestCase(1, 0.7)]
         [TestCase(1, 1.2)]
         [TestCase(3, 0.7)]

@@ -80,6 +80,7 @@ namespace Nowpose.Tests.Core.Anchoring
             }
         }
 
+        [Category("Study")]
         [Test]
         public void Tick_MarkerAtRest_IsNeverReportedAsMoved()
         {

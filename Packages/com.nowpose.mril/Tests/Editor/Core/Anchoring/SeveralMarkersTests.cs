@@ -118,6 +118,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         // A device may measure the angles of all prints wrongly in the same way, for example because it sees all of them from one side.
+        [Category("Study")]
         [TestCase(3, 1.0, true)]
         [TestCase(3, 1.4, false)]
         [TestCase(3, 1.7, false)]
@@ -142,6 +143,7 @@ namespace Nowpose.Tests.Core.Anchoring
         }
 
         // Angle errors of glued prints, which are independent of each other, are not a contradiction.
+        [Category("Study")]
         [Test]
         public void Tick_PrintsTiltedByHalfADegreePerAxis_AgreeWithThePositions()
         {

@@ -90,6 +90,7 @@ namespace Nowpose.Tests.Core.Frames
         }
 
         // The samples before the outlier are used again as soon as the next one shows that it was wrong.
+        [Category("Study")]
         [TestCase(0)]
         [TestCase(0.3)]
         public void At_SampleAfterAnOutlierOfACurvedMotion_IsPredictedFromTheSamplesBeforeIt(double outlier)

@@ -31,6 +31,7 @@ namespace Nowpose.Tests.Core.Simulation
             _robots = robots;
         }
 
+        [Category("Study")]
         [Test]
         public void Program_DisturbedAtRandomTimes_AllRobotsWorkAgain([Range(1, 5)] int seed)
         {

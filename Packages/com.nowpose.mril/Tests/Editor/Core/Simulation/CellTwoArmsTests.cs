@@ -48,6 +48,7 @@ namespace Nowpose.Tests.Core.Simulation
         }
 
         // A UR5 waits with its open gripper at the pick place.
+        [Category("Study")]
         [Test]
         public void Belt_WholeRun_MovesOnlyWhileNoGripperIsAtIt()
         {
@@ -94,6 +95,7 @@ namespace Nowpose.Tests.Core.Simulation
             int[] IndicesOf(Func<WorkRobot, string> nameOf) => _work.Robots.Select(robot => _work.Signals.ToList().IndexOf(nameOf(robot))).ToArray();
         }
 
+        [Category("Study")]
         [Test]
         public void Workpieces_RemovedFromOneRobot_OtherRobotContinues([Values(First, Second)] int delayed)
         {
@@ -106,6 +108,7 @@ namespace Nowpose.Tests.Core.Simulation
             AssertContinues(grips[1 - delayed], Now);
         }
 
+        [Category("Study")]
         [Test]
         public void Workpiece_RemovedUnderTheOpenGripper_OtherRobotContinues([Values(First, Second)] int delayed)
         {
@@ -121,6 +124,7 @@ namespace Nowpose.Tests.Core.Simulation
             AssertContinues(grips[1 - delayed], Now);
         }
 
+        [Category("Study")]
         [Test]
         public void Fixture_OccupiedByHand_OtherRobotContinues([Values(First, Second)] int delayed)
         {

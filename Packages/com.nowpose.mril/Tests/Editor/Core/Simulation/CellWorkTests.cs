@@ -38,6 +38,7 @@ namespace Nowpose.Tests.Core.Simulation
             foreach (var t in times) Assert.That(Summary(_work, t), Is.EqualTo(inOrder[t]), t + " s");
         }
 
+        [Category("Study")]
         [Test]
         public void Workpieces_WholePeriod_MoveContinuously()
         {
@@ -86,6 +87,7 @@ namespace Nowpose.Tests.Core.Simulation
             Assert.That(seen, Is.EquivalentTo(_work.Robots.SelectMany(robot => new[] { robot.Tool, robot.Fixture }).Append(CellWork.Conveyor)));
         }
 
+        [Category("Study")]
         [Test]
         public void StateAt_OlderThanTheKeptTime_IsTheOldestKeptState()
         {

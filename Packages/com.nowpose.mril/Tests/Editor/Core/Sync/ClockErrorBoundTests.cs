@@ -135,6 +135,7 @@ namespace Nowpose.Tests.Core.Sync
             }
         }
 
+        [Category("Study")]
         [Test]
         public void ErrorBound_OutagesOnALoadedNetwork_Holds()
         {

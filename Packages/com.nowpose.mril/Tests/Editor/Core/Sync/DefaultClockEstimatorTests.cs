@@ -135,6 +135,7 @@ namespace Nowpose.Tests.Core.Sync
             Assert.That(estimator.Line.Skew * 1e6, Is.EqualTo(skewPpm).Within(0.05));
         }
 
+        [Category("Study")]
         [TestCase("lan")]
         [TestCase("wifi")]
         [TestCase("busy-wifi")]

@@ -20,8 +20,8 @@ namespace Nowpose.Tests.Core.Sync
         [TestCase("wifi", "default", 60.0)]
         [TestCase("busy-wifi", "default", 60.0)]
         [TestCase("busy-wifi", "ransac", 60.0)]
-        [TestCase("wifi", "default", 5000.0)]
-        [TestCase("busy-wifi", "ransac", 5000.0)]
+        [TestCase("wifi", "default", 5000.0, Category = "Study")]
+        [TestCase("busy-wifi", "ransac", 5000.0, Category = "Study")]
         public void ControlTime_IncreasingHeadsetTimes_NeverGoesBackWithoutAStep(string network, string estimator, double callsPerSecond)
         {
             for (var seed = 300; seed < 303; seed++)

@@ -64,6 +64,7 @@ namespace Nowpose.Tests.Core.Sync
             Assert.That(error.Max, Is.LessThan(0.6));
         }
 
+        [Category("Study")]
         [Test]
         public void Error_BusyWifi_IsCloseToTheReference()
         {

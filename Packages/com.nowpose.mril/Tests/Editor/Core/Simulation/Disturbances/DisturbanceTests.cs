@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
 
@@ -5,19 +6,20 @@ namespace Nowpose.Tests.Core.Simulation.Disturbances
 {
     public class DisturbanceTests
     {
-        // The first runs contain each kind of disturbance. The others are a study, which the run on Mono skips.
-        const int FirstRuns = 12, Runs = 60;
+        const int Runs = 60;
+
+        // Together, these runs contain each kind of disturbance. The others are a study, which the run on Mono skips.
+        static readonly int[] FirstSeeds = { 1, 2, 4, 8, 9, 11 };
 
         [Test]
-        public void Tick_DisturbedCellNetworkAndClocks_CurrentPosesAreRightAndReturn() => Check(1, FirstRuns);
+        public void Tick_DisturbedCellNetworkAndClocks_CurrentPosesAreRightAndReturn() => Check(FirstSeeds);
 
         [Test, Category("Study")]
-        public void Tick_OtherDisturbances_CurrentPosesAreRightAndReturn() => Check(FirstRuns + 1, Runs - FirstRuns);
+        public void Tick_OtherDisturbances_CurrentPosesAreRightAndReturn() => Check(Enumerable.Range(1, Runs).Except(FirstSeeds));
 
-        static void Check(int firstSeed, int runs)
+        static void Check(IEnumerable<int> seeds)
         {
-            var faults = Enumerable.Range(firstSeed, runs)
-                .SelectMany(seed => new DisturbedRun(seed).Run().Take(3).Select(fault => $"seed {seed}, {fault}"));
+            var faults = seeds.SelectMany(seed => new DisturbedRun(seed).Run().Take(3).Select(fault => $"seed {seed}, {fault}"));
 
             Assert.That(string.Join("\n", faults), Is.Empty);
         }
