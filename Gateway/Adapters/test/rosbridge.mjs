@@ -1,6 +1,7 @@
 // Simulates the gateway, to test the messages that an adapter sends.
 import { createServer as createSecureServer } from 'node:https';
 import { WebSocketServer } from 'ws';
+import { freePort } from './freePort.mjs';
 import { until } from './program.mjs';
 
 export class RosbridgeDouble {
@@ -16,14 +17,15 @@ export class RosbridgeDouble {
    * @param token Token that a client must send; otherwise it receives the status `refusal`.
    * @param now Returns the time of the gateway's control clock in ns; null simulates a gateway that does not respond to requests for the time.
    */
-  static async start(test, { port = 0, tls = null, token = null, refusal = 401, now = null } = {}) {
+  static async start(test, { port, tls = null, token = null, refusal = 401, now = null } = {}) {
     const double = new RosbridgeDouble();
+    double.port = port ?? await freePort();
     const verifyClient = ({ req }, done) => {
       double.headers.push(req.headers);
       done(token === null || req.headers.authorization === `Bearer ${token}`, refusal, 'Refused');
     };
     double.#http = tls && createSecureServer(tls);
-    double.#server = new WebSocketServer(tls ? { server: double.#http, verifyClient } : { host: '127.0.0.1', port, verifyClient });
+    double.#server = new WebSocketServer(tls ? { server: double.#http, verifyClient } : { host: '127.0.0.1', port: double.port, verifyClient });
     double.#server.on('connection', socket => {
       socket.on('message', data => {
         const message = JSON.parse(data.toString());
@@ -33,10 +35,9 @@ export class RosbridgeDouble {
       });
       socket.on('error', () => {});
     });
-    double.#http?.listen(port, '127.0.0.1');
+    double.#http?.listen(double.port, '127.0.0.1');
     const listening = double.#http ?? double.#server;
     await new Promise((resolve, reject) => listening.once('listening', resolve).once('error', reject));
-    double.port = listening.address().port;
     double.url = `${tls ? 'wss' : 'ws'}://127.0.0.1:${double.port}`;
     test.after(() => double.stop());
     return double;

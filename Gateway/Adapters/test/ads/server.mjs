@@ -4,6 +4,7 @@ import { createServer } from 'node:net';
 import {
   answer, command, error, FrameReader, group, netIdBytes, parseAms, readResult, result, tcpCommand, tcpFrame, words,
 } from './frames.mjs';
+import { freePort } from '../freePort.mjs';
 import { Notifications } from './notifications.mjs';
 import { symbolEntry } from './symbols.mjs';
 
@@ -40,8 +41,8 @@ export class AdsServer {
     plc.downloaded.add(this.#downloaded);
   }
 
-  async listen(port = 0, host = '127.0.0.1') {
-    this.#server.listen(port, host);
+  async listen(port, host = '127.0.0.1') {
+    this.#server.listen(port ?? await freePort(), host);
     await once(this.#server, 'listening');
     return this.#server.address().port;
   }

@@ -1,6 +1,7 @@
 // Simulates the sync port of a gateway as specified in the protocol: requests and replies of 48 bytes, preceded by a token if one is required.
 import { once } from 'node:events';
 import { createServer } from 'node:net';
+import { freePort } from '../freePort.mjs';
 
 const magic = 0x434e5953;
 
@@ -28,10 +29,10 @@ export class SyncServer {
     return BigInt(Math.round((performance.timeOrigin + performance.now()) * 1e6)) + this.aheadNs;
   }
 
-  async listen(port = 0) {
-    this.server = createServer(socket => this.#serve(socket)).listen(port, '127.0.0.1');
+  async listen(port) {
+    this.port = port ?? await freePort();
+    this.server = createServer(socket => this.#serve(socket)).listen(this.port, '127.0.0.1');
     await once(this.server, 'listening');
-    this.port = this.server.address().port;
   }
 
   stop() {

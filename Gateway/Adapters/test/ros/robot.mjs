@@ -1,6 +1,7 @@
 // Simulates the rosbridge of a robot with ROS 1 or ROS 2, which differ in their formats and in the requests that they refuse.
 import { once } from 'node:events';
 import { WebSocketServer } from 'ws';
+import { freePort } from '../freePort.mjs';
 
 /**
  * Converts a message to JSON as rosbridge does. A number that is not finite is null, but in an array of fixed length, which is a Float64Array here,
@@ -44,11 +45,11 @@ export class Robot {
     return robot;
   }
 
-  async listen(port = 0) {
-    this.server = new WebSocketServer({ host: '127.0.0.1', port });
+  async listen(port) {
+    this.port = port ?? await freePort();
+    this.server = new WebSocketServer({ host: '127.0.0.1', port: this.port });
     this.server.on('connection', socket => this.#serve(socket));
     await once(this.server, 'listening');
-    this.port = this.server.address().port;
     this.url = `ws://127.0.0.1:${this.port}`;
   }
 

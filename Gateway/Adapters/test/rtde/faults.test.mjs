@@ -1,7 +1,7 @@
 // Runs the adapter as a process while the robot stops, the data is damaged or the connection fails.
 import assert from 'node:assert/strict';
-import { createServer } from 'node:net';
 import { describe, it } from 'node:test';
+import { freePort } from '../freePort.mjs';
 import { start, until } from '../program.mjs';
 import { RosbridgeDouble } from '../rosbridge.mjs';
 import { seeded } from '../seeded.mjs';
@@ -150,10 +150,7 @@ describe('faults of an rtde plant', () => {
 
   it('Port_Closed_IsLoggedInOneLineAndConnectedWhenItOpens', async t => {
     VirtualTime.ofProcess(t);
-    const free = createServer();
-    await new Promise(resolve => free.listen(0, '127.0.0.1', resolve));
-    const { port } = free.address(), bridge = await RosbridgeDouble.start(t);
-    await new Promise(resolve => free.close(resolve));
+    const port = await freePort(), bridge = await RosbridgeDouble.start(t);
     const adapter = start(t, [configuration({ url: bridge.url, port })]);
 
     await adapter.said(rtdeMessages.refuses(`127.0.0.1:${port}`, 'RTDE'));
