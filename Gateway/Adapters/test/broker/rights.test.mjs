@@ -138,7 +138,6 @@ describe('rights on a broker', () => {
     await reached('waiting', refusalOf('signals/s'));
 
     gatewayOpened();
-
     await reached('connected');
     hear('/robot_description', { data: '<robot/>' });
     await reached('waiting', refusalOf('robot_description'));
