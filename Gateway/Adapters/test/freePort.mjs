@@ -4,9 +4,9 @@ import { createServer } from 'node:net';
 const first = 20_000, ports = 6000;
 
 /**
- * Finds a free port for a program that cannot choose one itself, or that stops and listens again, and reserves it for this process: two tests that find
- * the same port before one of their programs listens would use the same program. The reservation is a server that listens on another port until the process ends. All ports
- * are below 32768, where the system assigns ports to connections.
+ * Finds a free port for a program that cannot choose one itself, or that stops and listens again, and reserves it for this process: two tests that
+ * find the same port before one of their programs listens would use the same program. The reservation is a server that listens on another port until
+ * the process ends. All ports are below 32768, where the system assigns ports to connections.
  */
 export async function freePort() {
   for (;;) {

@@ -39,7 +39,8 @@ sealed class EventList(TimeProvider time, Action<string, string> log)
             foreach (var key in _pending.Keys.Where(key => !byKey.ContainsKey(key)).ToList()) _pending.Remove(key);
             foreach (var condition in byKey.Values)
             {
-                if (condition.IsNormalAtStart && (condition.Age ?? time.GetElapsedTime(_started)) < StartGrace) _pending.TryAdd(condition.Key, StartOf(condition));
+                if (condition.IsNormalAtStart && (condition.Age ?? time.GetElapsedTime(_started)) < StartGrace)
+                    _pending.TryAdd(condition.Key, StartOf(condition));
                 else lines.Add((Begin(condition, _pending.Remove(condition.Key, out var start) ? start : StartOf(condition), null), condition));
             }
         }

@@ -120,7 +120,8 @@ namespace Nowpose.Unity
         {
             get
             {
-                if (Flow == null && !isActiveAndEnabled) ConsoleLog.Warn(this, ComponentMessages.Of("cell pairing", name, ComponentMessages.PairingDisabled));
+                if (Flow == null && !isActiveAndEnabled)
+                    ConsoleLog.Warn(this, ComponentMessages.Of("cell pairing", name, ComponentMessages.PairingDisabled));
                 return Flow;
             }
         }
