@@ -134,7 +134,7 @@ describe('link to the gateway', () => {
 
   it('Robot_Configured_IsPublishedAfterEachConnection', async t => {
     VirtualTime.ofProcess(t);
-    const port = await freePort(), first = await RosbridgeDouble.start(t, { port });
+    const first = await RosbridgeDouble.start(t), { port } = first;
     const path = configuration({ url: first.url, port: await freePort(), rest: 'joints: [{ joint: a, index: 0 }]\nrobot: arm.urdf\n' });
     writeFileSync(join(dirname(path), 'arm.urdf'), '<robot name="arm"><joint name="a"/></robot>');
     const run = start(t, [path]);

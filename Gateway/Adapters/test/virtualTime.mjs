@@ -118,7 +118,7 @@ export class VirtualTime {
         } else if (turns === QUIET_TURNS) {
           if (process.getActiveResourcesInfo().every(name => WAITING.test(name))) return resolve();
           turns = 0;
-          return later(turn, 1);
+          return later(() => setImmediate(turn), 1);
         }
         return this.isCurrent ? setImmediate(turn) : resolve();
       };

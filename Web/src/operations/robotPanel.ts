@@ -23,7 +23,10 @@ const MAX_REPORT_GAP_S = 0.25;
 const TRANSFORMS = 'tf2_msgs/msg/TFMessage';
 const NUMBERS_MS = 500;
 
-/** Time from a picture to the request of the next frame. The motion still looks smooth, and the work is half of that at 60 frames per second. */
+/**
+ * Time from a picture to the request of the next frame, and interval at which the page looks for changes while nothing moves. The motion still looks
+ * smooth, and the work is half of that at 60 frames per second.
+ */
 const PICTURE_MS = 25;
 
 /** Interval of computation while the view is not visible, for the distances and the messages. */

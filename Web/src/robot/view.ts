@@ -139,15 +139,17 @@ export class RobotView {
     const isSame = (value: number | string | null, former: number | string | null) =>
       value === former || (typeof value === 'number' && typeof former === 'number' && Math.abs(value - former) < TOLERANCE);
     const hasChanged = current.length !== this.drawn.length || !current.every((value, i) => isSame(value, this.drawn[i]));
-    if (hasChanged) this.draw();
+    // A page in the background gets no frame, so the picture waits until the page is visible.
+    if (hasChanged && document.hidden) this.ask();
+    else if (hasChanged) this.draw(current);
     return hasChanged;
   }
 
-  private draw(): void {
+  private draw(appearance = this.appearance()): void {
     this.widen();
     this.renderer!.render(this.scene, this.orbit!.camera);
     this.labels.show(this.labelled(), this.orbit!.camera);
-    this.drawn = this.appearance();
+    this.drawn = appearance;
   }
 
   private labelled(): Label[] {

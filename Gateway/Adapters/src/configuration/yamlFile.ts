@@ -22,6 +22,10 @@ export class YamlFile {
   readonly #lines: LineCounter;
   readonly #invalid = new Set<string>();
 
+  /**
+   * @param document A document without errors.
+   * @throws ConfigurationError The aliases of the document are circular or too many.
+   */
   constructor(
     readonly path: string,
     document: Document,

@@ -44,7 +44,7 @@ describe('faults', () => {
   });
 
   it('Adapter_GatewayKilledAndRestarted_SendsTopicsClockAndSamplesAgain', async t => {
-    const port = await freePort(), old = await RosbridgeDouble.start(t, { port });
+    const old = await RosbridgeDouble.start(t), { port } = old;
     const { states, state } = await adapterFor(t, server, OPEN, JOINTS, { bridge: old });
     await states(5);
     await state(s => s.state === 'connected');

@@ -99,31 +99,6 @@ describe('the robot', () => {
     await becomes(page, '.apart', robotMessages.toolError('left door', 0, 0));
   });
 
-  for (const shape of ['bodies', 'lines']) it(`is drawn as ${shape} again, and requests frames, only when something has changed`, async () => {
-    if (shape === 'lines') gateway.urdf = gateway.urdf.replace(/<geometry>[^]*?<\/geometry>/g, '<geometry><mesh filename="link.stl"/></geometry>');
-    gateway.turned = 0;
-    gateway.pace = 0;
-    const page = await open();
-    await becomes(page, '.apart', robotMessages.toolError('left door', 0, 0));
-    await bodiesDrawn(page);
-    await page.evaluate(() => {
-      const counted = action => function (...all) { window.count++; return action.apply(this, all); };
-      WebGL2RenderingContext.prototype.clear = counted(WebGL2RenderingContext.prototype.clear);
-      window.requestAnimationFrame = counted(requestAnimationFrame);
-    });
-    const picturesAndFrames = async () => {
-      await page.evaluate(() => { window.count = 0; });
-      await nextState(page);
-      return page.evaluate(() => window.count);
-    };
-
-    // On a busy machine, samples arrive late, and poses disappear for a while.
-    assert.equal(await drawn(picturesAndFrames, count => count === 0), 0);
-
-    gateway.pace = 1;
-    assert.ok(await drawn(picturesAndFrames, count => count > 0) > 0, 'the robot moves');
-  });
-
   it('is not compared if no new positions arrive', async () => {
     const page = await open();
     await showsToolError(page);
