@@ -100,20 +100,43 @@ public sealed class LoadSweepEndTests
     }
 
     [Test]
+    public void StartSweep_ByAListenerDuringTheEvaluation_IsCalledOnce()
+    {
+        _played.Play();
+        _played.Sweep.StartSweep();
+        var calls = 0;
+        _played.Sweep.Progressed += () =>
+        {
+            if (_played.Sweep.Words != LoadSweepMessages.Stopped || ++calls > 9) return;
+            _played.Sweep.StartSweep();
+        };
+
+        _played.Run(20, seen: () =>
+        {
+            if (_played.Sweep.Words == LoadSweepMessages.Judging) _played.Sweep.With("_steps", 1).StartSweep();
+        });
+
+        Assert.That(calls, Is.EqualTo(1));
+    }
+
+    [Test]
     public async Task Log_CannotBeWrittenAtTheEnd_StatesThatTheSweepIsStopped()
     {
         _played.Play();
         _played.Sweep.StartSweep();
+        var path = _played.Sweep.Path;
+        for (var end = _played.Cell.Now + 20; _played.Sweep.Words?.StartsWith("load 5 of 5", StringComparison.Ordinal) != true && _played.Cell.Now < end;)
+            _played.Run(0.01);
+        bool IsFull(SweepRow row) => row.Vertices == 100_000;
+        await Soon.BecomesAsync(() => SweepTable.Read(path, out _).SkipWhile(row => !IsFull(row)).SkipWhile(IsFull).Any(), "the fourth load is written");
 
-        _played.Run(20, seen: () =>
-        {
-            if (_played.Sweep.Words?.StartsWith("load 5 of 5", StringComparison.Ordinal) != true || Directory.Exists(_played.Sweep.Path)) return;
-            File.Delete(_played.Sweep.Path);
-            Directory.CreateDirectory(_played.Sweep.Path);
-        });
+        File.Delete(path);
+        Directory.CreateDirectory(path);
+        var isEvaluated = false;
+        _played.Run(5, seen: () => isEvaluated |= _played.Sweep.Words == LoadSweepMessages.Judging);
         await _played.Judged();
 
-        Assert.That((_played.Sweep.Verdict, _played.Sweep.Words), Is.EqualTo(((LoadSensitivity)null, LoadSweepMessages.Stopped)));
+        Assert.That((isEvaluated, _played.Sweep.Verdict, _played.Sweep.Words), Is.EqualTo((true, (LoadSensitivity)null, LoadSweepMessages.Stopped)));
         Assert.That(_played.Sweep.Problem, Is.Not.Null);
     }
 

@@ -58,17 +58,22 @@ public class CellPairingTests
     }
 
     [Test]
-    public void Call_WhileDisabled_IsLogged()
+    public void Call_WhileDisabled_IsLoggedOnce()
     {
-        _played.Pairing.enabled = false;
+        var calls = new Action[]
+        {
+            _played.Pairing.Accept, _played.Pairing.Refuse, _played.Pairing.AskToForget, _played.Pairing.Forget, () => _played.Pairing.ReadCode("code"),
+        };
+        foreach (var call in calls)
+        {
+            _played.Pairing.enabled = true;
+            _played.Pairing.Accept();
+            _played.Pairing.enabled = false;
+            call();
+            call();
+        }
 
-        _played.Pairing.Accept();
-        _played.Pairing.Refuse();
-        _played.Pairing.AskToForget();
-        _played.Pairing.Forget();
-        _played.Pairing.ReadCode("code");
-
-        Assert.That(_played.Cell.Messages, Has.Exactly(5).Contains(ComponentMessages.PairingDisabled));
+        Assert.That(_played.Cell.Messages, Has.Exactly(calls.Length).Contains(ComponentMessages.PairingDisabled));
     }
 
     [Test]

@@ -27,7 +27,7 @@ public class Behaviour : Component
     /// False until OnEnable, although the object may already be active: each component of a hierarchy is activated in its turn. In edit mode, also true
     /// for a script that does not run there.
     /// </summary>
-    public bool isActiveAndEnabled => IsToRun && (Running || !IsRunInTurn);
+    public bool isActiveAndEnabled => IsRunInTurn ? Running : IsToRun;
 
     bool IsToRun => !Destroyed && _enabled && Owner is { activeInHierarchy: true };
 

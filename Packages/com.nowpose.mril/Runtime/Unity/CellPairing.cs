@@ -62,7 +62,7 @@ namespace Nowpose.Unity
         MrilSession _source;
         BaseAnchor _target;
         [NonSerialized] string _fileProblem, _unsaved, _name, _path, _shown = "";
-        [NonSerialized] bool _isApplied;
+        [NonSerialized] bool _isApplied, _isCallLogged;
 
         /// <summary>Raised when <see cref="Question"/>, <see cref="Words"/>, <see cref="Problem"/> or <see cref="Cell"/> has changed.</summary>
         public event Action Changed { add => _changed.Add(value); remove => _changed.Remove(value); }
@@ -115,13 +115,15 @@ namespace Nowpose.Unity
             if (Called is PairingFlow flow && _source != null) flow.Read(text?.Trim() ?? "", _source.HeadsetClock.Now);
         }
 
-        // The flow for a method that a script or an event has called. A call while this component is disabled has no effect, so it is logged.
+        // The flow for a method that a script or an event has called. A call while this component is disabled has no effect, so the first one
+        // is logged.
         PairingFlow Called
         {
             get
             {
-                if (Flow == null && !isActiveAndEnabled)
+                if (Flow == null && !isActiveAndEnabled && !_isCallLogged)
                     ConsoleLog.Warn(this, ComponentMessages.Of("cell pairing", name, ComponentMessages.PairingDisabled));
+                _isCallLogged = Flow == null;
                 return Flow;
             }
         }

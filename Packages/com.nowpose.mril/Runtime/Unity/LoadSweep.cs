@@ -81,8 +81,7 @@ namespace Nowpose.Unity
         SweepRun _run;
         SweepFile _file;
         SweepFrame? _frame;
-        Task<LoadSensitivity> _judging;
-        Task<LoadSensitivity> _closing = Task.FromResult<LoadSensitivity>(null);
+        Task<LoadSensitivity> _judging, _closing = Task.FromResult<LoadSensitivity>(null);
         DisplayConditions _conditions;
         double _displayHz;
         int _verticesBefore;
@@ -112,8 +111,8 @@ namespace Nowpose.Unity
         /// <summary>Starts a sweep from the first load, with a new log. Does nothing while a sweep is running.</summary>
         public void StartSweep()
         {
-            if (IsRunning) return;
             EndEvaluation();
+            if (IsRunning) return;
             (Verdict, Problem) = (null, null);
             _source = this.SessionOr(_session);
             _generator = _load != null ? _load : GetComponentInChildren<LoadGenerator>(true);
@@ -147,14 +146,15 @@ namespace Nowpose.Unity
 
         void EndEvaluation()
         {
-            if (_judging != null) ShowText(LoadSweepMessages.Stopped);
+            if (_judging == null) return;
             _judging = null;
+            ShowText(LoadSweepMessages.Stopped);
         }
 
         void Update()
         {
-            // Checked here and not in StartSweep, because Unity may enable the load generator after the sweep.
-            if (IsRunning && ProblemOfLoad() is string problem) Abandon(problem);
+            // Checked here and not only in StartSweep, because Unity may enable the load generator after the sweep, and both may be destroyed.
+            if (IsRunning && ProblemOfParts() is string problem) Abandon(problem);
             else if (IsRunning) Follow();
             else if (_judging != null && _judging.IsCompleted) Conclude();
         }
@@ -233,7 +233,7 @@ namespace Nowpose.Unity
         }
 
         // Returns the reason why the load can be neither built nor shown; null if it can. Without this check, the sweep would wait for it forever.
-        string ProblemOfLoad()
+        string ProblemOfParts()
         {
             if (_source == null) return LoadSweepMessages.Destroyed(name, "session");
             if (_generator == null) return LoadSweepMessages.Destroyed(name, "load generator");

@@ -10,7 +10,7 @@ namespace Nowpose.Unity.Messages
         public static string StoppedWithLog(string path) => $"load sweep stopped; its log is {path}";
         /// <param name="part">What was destroyed.</param>
         public static string Destroyed(string component, string part) =>
-            $"load sweep '{component}' stopped, because its {part} was destroyed; sweep again. The log of this sweep is kept";
+            $"load sweep '{component}' stopped, because its {part} was destroyed; assign another one and sweep again. The log of this sweep is kept";
 
         public static string GeneratorOff(string generator) =>
             $"load generator '{generator}' is switched off; the sweep needs it, so switch it on and sweep again";

@@ -36,7 +36,8 @@ namespace Nowpose.Sync.Envelope
         }
 
         /// <summary>
-        /// Returns the maximum error that all exchanges have in common: half of the part, without the length that random times leave.
+        /// Returns the maximum error that all exchanges have in common beyond that of random times, which the error of the fit includes: half of the part,
+        /// without the length that random times leave.
         /// </summary>
         public static TimeSpan CommonError(TimeSpan part, TimeSpan resolution) =>
             new TimeSpan(Math.Max(0, part.Ticks - resolution.Ticks / RandomDivisor) / 2);

@@ -148,7 +148,6 @@ namespace Nowpose.Tests.Core.Session
             Assert.That(frame.Joints[follower], Is.EqualTo(-0.02));
         }
 
-        [Category("Study")]
         [Test]
         public void Tick_LongHoldover_IsNotCurrentDespiteSamples()
         {

@@ -31,9 +31,12 @@ namespace Nowpose.Tests.Core.Simulation
             _robots = robots;
         }
 
-        [Category("Study")]
-        [Test]
-        public void Program_DisturbedAtRandomTimes_AllRobotsWorkAgain([Range(1, 5)] int seed)
+        [TestCase(1)]
+        [TestCase(2, Category = "Study")]
+        [TestCase(3, Category = "Study")]
+        [TestCase(4, Category = "Study")]
+        [TestCase(5, Category = "Study")]
+        public void Program_DisturbedAtRandomTimes_AllRobotsWorkAgain(int seed)
         {
             _work = new CellWork(_robot, _motion, _robots);
             _random = new Random(seed);

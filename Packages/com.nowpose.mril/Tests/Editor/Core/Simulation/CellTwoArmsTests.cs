@@ -95,7 +95,6 @@ namespace Nowpose.Tests.Core.Simulation
             int[] IndicesOf(Func<WorkRobot, string> nameOf) => _work.Robots.Select(robot => _work.Signals.ToList().IndexOf(nameOf(robot))).ToArray();
         }
 
-        [Category("Study")]
         [Test]
         public void Workpieces_RemovedFromOneRobot_OtherRobotContinues([Values(First, Second)] int delayed)
         {

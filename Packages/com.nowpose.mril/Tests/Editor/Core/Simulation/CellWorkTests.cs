@@ -87,7 +87,6 @@ namespace Nowpose.Tests.Core.Simulation
             Assert.That(seen, Is.EquivalentTo(_work.Robots.SelectMany(robot => new[] { robot.Tool, robot.Fixture }).Append(CellWork.Conveyor)));
         }
 
-        [Category("Study")]
         [Test]
         public void StateAt_OlderThanTheKeptTime_IsTheOldestKeptState()
         {

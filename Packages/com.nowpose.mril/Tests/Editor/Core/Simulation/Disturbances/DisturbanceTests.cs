@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
@@ -13,6 +14,14 @@ namespace Nowpose.Tests.Core.Simulation.Disturbances
 
         [Test]
         public void Tick_DisturbedCellNetworkAndClocks_CurrentPosesAreRightAndReturn() => Check(FirstSeeds);
+
+        [Test]
+        public void FirstSeeds_All_ContainEachKind()
+        {
+            var kinds = FirstSeeds.SelectMany(seed => Disturbance.Some(new Random(seed))).ToArray();
+
+            Assert.That(typeof(DisturbanceKind).GetEnumValues().Cast<DisturbanceKind>().Where(kind => !kinds.Any(one => one.Is(kind))), Is.Empty);
+        }
 
         [Test, Category("Study")]
         public void Tick_OtherDisturbances_CurrentPosesAreRightAndReturn() => Check(Enumerable.Range(1, Runs).Except(FirstSeeds));
