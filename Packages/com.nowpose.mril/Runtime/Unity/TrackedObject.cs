@@ -43,7 +43,8 @@ namespace Nowpose.Unity
         public PoseState State => _followed == null ? PoseState.Incomplete : _followed.State;
 
         /// <summary>Reason why the object's pose is not current, in one line; null if it is current.</summary>
-        public string Fault => _followed == null ? ObjectMessages.FollowsNothing("tracked object", name, enabled) : _followed.Fault;
+        public string Fault =>
+            _followed != null ? _followed.Fault : enabled ? StatusMessages.NoSession : ObjectMessages.Disabled("tracked object", name);
 
         /// <summary>
         /// Distance in metres between the newest pose and the pose at the display time: the distance by which the compensation moves the object. Null

@@ -23,10 +23,6 @@ namespace Nowpose.Unity.Messages
 
         public static string Disabled(string kind, string component) => $"{kind} '{component}' is disabled; enable or remove it";
 
-        /// <summary>Reason why a component follows nothing: it is disabled, or it has no session.</summary>
-        public static string FollowsNothing(string kind, string component, bool isEnabled) =>
-            isEnabled ? StatusMessages.NoSession : Disabled(kind, component);
-
         public static string MovedByJoint(string rig, string joint) =>
             $"joint '{joint}' of the rig '{rig}' moves the same object; put the actuated part on a child object";
 
