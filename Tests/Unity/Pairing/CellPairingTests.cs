@@ -67,7 +67,6 @@ public class CellPairingTests
         foreach (var call in calls)
         {
             _played.Pairing.enabled = true;
-            _played.Pairing.Accept();
             _played.Pairing.enabled = false;
             call();
             call();

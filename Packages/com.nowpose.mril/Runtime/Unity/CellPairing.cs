@@ -91,20 +91,20 @@ namespace Nowpose.Unity
         public string Cell => Flow?.Cells.Used?.Cell;
 
         /// <summary>Answers the open question with yes. Does nothing if no question is open.</summary>
-        public void Accept() => Called?.Accept();
+        public void Accept() => FlowForCall()?.Accept();
 
         /// <summary>
         /// Answers the open question with no. A declined gateway stays declined until the application restarts, or until <see cref="AskToForget"/> or
         /// <see cref="ReadCode"/> is called.
         /// </summary>
-        public void Refuse() => Called?.Refuse();
+        public void Refuse() => FlowForCall()?.Refuse();
 
         /// <summary>Opens a <see cref="Question"/> that asks whether to forget the cell in use.</summary>
         /// <remarks>After either answer, the pairing asks again about declined gateways and cells when their markers come into view.</remarks>
-        public void AskToForget() => Called?.AskToForget();
+        public void AskToForget() => FlowForCall()?.AskToForget();
 
         /// <summary>Deletes the cell in use and its token without asking the wearer. When a marker comes into view, the pairing asks again.</summary>
-        public void Forget() => Called?.Forget();
+        public void Forget() => FlowForCall()?.Forget();
 
         /// <summary>
         /// Processes the text of a code that was typed or scanned elsewhere: offers a paired cell at once, and reports each invalid text. A reader of codes may
@@ -112,20 +112,17 @@ namespace Nowpose.Unity
         /// </summary>
         public void ReadCode(string text)
         {
-            if (Called is PairingFlow flow && _source != null) flow.Read(text?.Trim() ?? "", _source.HeadsetClock.Now);
+            if (FlowForCall() is PairingFlow flow && _source != null) flow.Read(text?.Trim() ?? "", _source.HeadsetClock.Now);
         }
 
-        // The flow for a method that a script or an event has called. A call while this component is disabled has no effect, so the first one
-        // is logged.
-        PairingFlow Called
+        // Returns the flow for a method that a script or an event has called. The first call while this component is disabled is logged, because it has
+        // no effect.
+        PairingFlow FlowForCall()
         {
-            get
-            {
-                if (Flow == null && !isActiveAndEnabled && !_isCallLogged)
-                    ConsoleLog.Warn(this, ComponentMessages.Of("cell pairing", name, ComponentMessages.PairingDisabled));
-                _isCallLogged = Flow == null;
-                return Flow;
-            }
+            if (Flow != null || isActiveAndEnabled || _isCallLogged) return Flow;
+            _isCallLogged = true;
+            ConsoleLog.Warn(this, ComponentMessages.Of("cell pairing", name, ComponentMessages.PairingDisabled));
+            return null;
         }
 
         // Null while this component is disabled or has no session.
@@ -151,6 +148,7 @@ namespace Nowpose.Unity
             Savers.Remove(this);
             Flow?.Dispose();
             Flow = null;
+            _isCallLogged = false;
             ShowQuestion();
         }
 
