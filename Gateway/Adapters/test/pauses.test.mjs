@@ -1,11 +1,17 @@
-// Tests that a pause of the process does not let a timeout end before the data that have arrived are read.
+// Tests that a pause of the process does not let a timeout end before the data that have arrived are read, and does not count as silence of the
+// gateway.
 import assert from 'node:assert/strict';
 import { once } from 'node:events';
 import { connect, createServer } from 'node:net';
 import { describe, it } from 'node:test';
+import { freePort } from './freePort.mjs';
+import { messages } from './messages.mjs';
 import { parts } from './parts.mjs';
+import { until } from './program.mjs';
+import { RosbridgeDouble } from './rosbridge.mjs';
+import { VirtualTime } from './virtualTime.mjs';
 
-const { afterArrivals, pause } = await parts('sockets', 'backoff');
+const { afterArrivals, pause, GatewayLink, Log } = await parts('sockets', 'backoff', 'gateway/link', 'log');
 
 const WAIT_MS = 5;
 
@@ -43,5 +49,70 @@ describe('a pause of the process', () => {
     await new Promise(setImmediate);
 
     assert.equal(isCalled, false);
+  });
+
+  /** Runs a link to a gateway in virtual time. `reasons` receives the reasons of disconnections. */
+  function linkTo(t, url) {
+    const reasons = [], ending = new AbortController(), address = { url, token: null, pin: null };
+    const link = new GatewayLink(address, new Log('x', [], () => {}), 'gateway', { away: reason => reasons.push(reason) });
+    const running = link.run(ending.signal);
+    t.after(() => {
+      ending.abort();
+      return running;
+    });
+    return { link, reasons, ending, running };
+  }
+
+  async function linked(t) {
+    const time = VirtualTime.ofProcess(t), gateway = await RosbridgeDouble.start(t), link = linkTo(t, gateway.url);
+    await until(() => link.link.isOpen && gateway.clients.length > 0, 'the link');
+    return { time, gateway, ...link };
+  }
+
+  const second = 1_000_000_000n, isIn6To8s = time => time > 6n * second && time <= 8n * second + second / 10n;
+
+  it('Link_PausedFor20s_StaysConnected', async t => {
+    const { time, link, reasons } = await linked(t);
+
+    time.now += 20n * second;
+    await time.until(time.now + 10n * second);
+
+    assert.deepEqual([link.isOpen, reasons], [true, []]);
+  });
+
+  it('Link_GatewayStopsReading_DisconnectsAfter6To8s', async t => {
+    const { time, gateway, reasons } = await linked(t), begin = time.now;
+
+    gateway.clients[0].pause();
+    await until(() => reasons.length > 0, 'the disconnection');
+
+    assert.equal(reasons[0], messages.gatewayMessages.silent(6));
+    assert.ok(isIn6To8s(time.now - begin));
+  });
+
+  it('Link_EndsWhileTheGatewayDoesNotRead_EndsWithin8s', async t => {
+    const { time, gateway, ending, running } = await linked(t), begin = time.now;
+
+    gateway.clients[0].pause();
+    ending.abort();
+    await running;
+
+    assert.ok(time.now - begin <= 8n * second + second / 10n);
+  });
+
+  it('Link_HandshakeDoesNotEnd_DisconnectsAfter6To8s', async t => {
+    const time = VirtualTime.ofProcess(t), begin = time.now, port = await freePort();
+    const server = createServer(socket => {
+      const drip = setInterval(() => socket.write(' '), 2000);
+      socket.on('error', () => {}).on('close', () => clearInterval(drip));
+      socket.write('HTTP/1.1 101 ');
+    }).listen(port, '127.0.0.1');
+    t.after(() => server.close());
+    await once(server, 'listening');
+
+    const { reasons } = linkTo(t, `ws://127.0.0.1:${port}`);
+    await until(() => reasons.length > 0, 'the disconnection');
+
+    assert.ok(isIn6To8s(time.now - begin));
   });
 });

@@ -6,6 +6,7 @@ import { Calls } from './calls';
 import { KeptMessages, REFUSED_EVERY_MS } from './keptMessages';
 import { advertisement, parsed, publication, text, typeOf } from './messages';
 import { agentFor } from './pin';
+import { ping } from './pings';
 import { inWords, MAX_MESSAGE, refusalInWords } from './reasons';
 import { SendQueue } from './sendQueue';
 import { StatusMessages } from './statusMessages';
@@ -13,8 +14,6 @@ import { Subscriptions } from './subscriptions';
 import { gatewayMessages } from '../messages/gateway';
 
 const HANDSHAKE_MS = 5000;
-const PING_MS = 2000;
-const SILENCE_MS = 6000;
 
 /** Time without a request after which the offer of a service is repeated, because the gateway may have refused it. */
 const OFFER_MS = 5000;
@@ -170,31 +169,22 @@ export class GatewayLink {
     });
     return new Promise(resolve => {
       let reason = gatewayMessages.closed;
-      let heard = performance.now();
       const leave = (): void => (socket.readyState === WebSocket.OPEN ? socket.close(1000) : socket.terminate());
       this.#abandon = text => {
         reason = text;
         socket.terminate();
       };
-      // After a pause of this process, the messages that have arrived are read before setImmediate continues.
-      const beat = setInterval(() => setImmediate(check), PING_MS);
-      const check = (): void => {
-        if (performance.now() - heard > SILENCE_MS) this.#abandon(gatewayMessages.silent(SILENCE_MS / 1000));
-        else if (socket.readyState === WebSocket.OPEN) {
-          socket.ping();
-          this.#offerAgain();
-        }
-      };
+      const endPings = ping(
+        socket,
+        () => this.#offerAgain(),
+        seconds => this.#abandon(gatewayMessages.silent(seconds)),
+      );
       const repetition = setInterval(() => {
         this.#kept.repeatRefused();
         this.#pump();
       }, REFUSED_EVERY_MS);
-      const hear = (): void => {
-        heard = performance.now();
-      };
       stop.addEventListener('abort', leave);
       socket.on('open', () => this.#open(socket));
-      socket.on('ping', hear).on('pong', hear).on('message', hear);
       socket.on('message', data => this.#hear(data));
       socket.on('unexpected-response', (request, response) => {
         reason = refusalInWords(response.statusCode!, this.name);
@@ -205,7 +195,7 @@ export class GatewayLink {
         if (reason === gatewayMessages.closed) reason = inWords(error, this.name, this.#socket === socket);
       });
       socket.on('close', code => {
-        clearInterval(beat);
+        endPings();
         clearInterval(repetition);
         stop.removeEventListener('abort', leave);
         this.#socket = null;

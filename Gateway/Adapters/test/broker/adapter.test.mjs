@@ -105,7 +105,7 @@ describe('broker', { skip: missing, concurrency: 3 }, () => {
   it('Bridges_BrokerRestarted_Reconnect', async t => {
     const { near, far, broker, sync, publisher, subscriber } = await halls(t);
     publish(near, '/robot_description', { data: '<robot name="kept"/>' });
-    await until(() => far.published('/robot_description').length > 0, 'the description');
+    await until(() => far.published('/robot_description').length > 0, () => `the description; ${publisher.err}${subscriber.err}`);
 
     await broker.stop();
     await until(() => near.state?.state === 'waiting' && far.state?.state === 'waiting', 'the diagnostics');
