@@ -1,9 +1,10 @@
-// Tests the repetition of messages that a gateway has refused. The mocked interval applies to all tests of a file that run at the same time.
+// Tests the repetition of messages that a gateway has refused.
 import { describe, it } from 'node:test';
 import assert from 'node:assert/strict';
 import { parts } from './parts.mjs';
 import { until } from './program.mjs';
 import { RosbridgeDouble } from './rosbridge.mjs';
+import { VirtualTime } from './virtualTime.mjs';
 
 /** The set-points of a robot without a namespace and of one with a namespace. */
 const PLANS = ['/joint_trajectory', '/arm1/joint_trajectory'];
@@ -12,8 +13,7 @@ const { GatewayLink, KeptMessages, Log, SetPoints } = await parts('gateway/link'
 
 describe('kept messages', () => {
   it('StationaryFrameOrSetPoints_RefusedByTheGateway_AreSentAgainUntilAccepted', async t => {
-    t.mock.timers.enable({ apis: ['setInterval'] });
-    const bridge = await RosbridgeDouble.start(t), ending = new AbortController(), refusals = [];
+    const time = VirtualTime.ofProcess(t), bridge = await RosbridgeDouble.start(t), ending = new AbortController(), refusals = [];
     const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}), 'gateway', { refused: status => refusals.push(status) });
     for (const key of ['fixture', 'rail']) link.publishKept('/tf_static', { key }, key);
     for (const topic of PLANS) link.publishKept(topic, {});
@@ -26,7 +26,6 @@ describe('kept messages', () => {
     for (let i = 1; i <= 2; i++) {
       bridge.send({ op: 'status', level: 'error', msg: 'publish /tf_static dropped: frame fixture belongs to another source (FrameTaken)' });
       await until(() => refusals.length === i, 'the refusal');
-      t.mock.timers.tick(10_000);
       await until(() => sent() === i + 1, 'the next attempt');
     }
     const refuse = async (topic, reason) => {
@@ -36,7 +35,7 @@ describe('kept messages', () => {
     };
     await refuse(PLANS[0], 'JointTaken');
     await refuse(PLANS[1], 'Unsynchronised');
-    t.mock.timers.tick(60_000);
+    await time.until(time.now + 60_000_000_000n);
     link.publish('/last', {});
     await until(() => bridge.published('/last').length === 1, 'a later message');
 
