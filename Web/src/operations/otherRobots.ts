@@ -28,9 +28,9 @@ export class OtherRobots implements Beside {
     private readonly isAtRest: (joint: string) => boolean,
   ) {}
 
-  /** Whether at least one robot is drawn. */
-  get isAnyShown(): boolean {
-    return [...this.robots.values()].some(({ bodies }) => bodies?.isShown('truth'));
+  /** Whether the description of at least one robot has arrived. */
+  get isAnyDescribed(): boolean {
+    return [...this.robots.values()].some(({ bodies }) => bodies !== null);
   }
 
   /**

@@ -260,7 +260,7 @@ export class RobotPanel {
     if (this.link.closedAt) return '';
     if (!bodies) {
       if (name && robot) return robotMessages.displaysUnknown(name, robot);
-      if (robot !== null || (!this.view.bodies && !this.others.isAnyShown)) return robotMessages.noDescription;
+      if (robot !== null || (!this.view.bodies && !this.others.isAnyDescribed)) return robotMessages.noDescription;
       return name ? robotMessages.toolError(name, null, null) : robotMessages.noHeadset;
     }
     if (!bodies.group.visible) return robotMessages.baseUnknown;

@@ -87,6 +87,21 @@ describe('a robot', () => {
     await becomes(page, '.apart', robotMessages.toolError('left door', null, null));
   });
 
+  it('has a description while no position of its joints is known', async () => {
+    const { urdf } = gateway;
+    gateway.urdf = gateway.turned = null;
+    gateway.state.joints = ['arm1', 'arm2'].flatMap(robot => JOINTS.map(joint => ({ ...gateway.state.joints[0], name: `${robot}/${joint}` })));
+    const page = await open();
+    const topics = ['/arm1/robot_description', '/arm2/robot_description'];
+    await drawn(() => nextState(page), () => topics.every(topic => [...gateway.sockets.values()][0]?.has(topic)));
+    await becomes(page, '.apart', robotMessages.noDescription);
+
+    for (const topic of topics) gateway.send(topic, JSON.stringify({ op: 'publish', topic, msg: { data: urdf } }));
+
+    await becomes(page, '.apart', robotMessages.toolError('left door', null, null));
+    await becomes(page, '#robot .level', jointReasons.notReceived('arm1/arm_joint_1'));
+  });
+
   it('in a namespace is compared with the pose that the headset displays of it', async () => {
     gateway.robots = ['arm2'];
     for (const joint of JOINTS) gateway.state.joints.push({ ...gateway.state.joints[0], name: `arm2/${joint}` });
