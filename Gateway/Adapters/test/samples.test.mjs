@@ -72,6 +72,23 @@ describe('stamps', () => {
     assert.equal(rule.judge(T + 1n, T), null);
   });
 
+  it('TimeStamp_OfAnyAgeInAWrongUnit_HasTheTextAboutTheUnit', () => {
+    const rule = new StampRule(1n << 80n);
+    rule.judge(T, T);
+
+    const { reason, text } = rule.judge(T / 1000n, T);
+
+    assert.deepEqual([reason, text], ['stamp-not-newer', refusalMessages.farApart('1970-01-20')]);
+    assert.equal(rule.judge(T - 5n * S, T).text, refusalMessages.notNewer(5000));
+  });
+
+  it('TimeStamp_AfterOneInAWrongUnitWithoutControlTime_IsNotCalledWrong', () => {
+    const rule = new StampRule(10n * S);
+    rule.judge(1000n * T, null);
+
+    assert.equal(rule.judge(T, null).text, refusalMessages.notNewer(Number(999n * T) / 1e6));
+  });
+
   it('TimeStamp_AfterTheClockWasSetBack_IsAccepted', () => {
     const rule = new StampRule(10n * S), before = T - 3600n * S;
     rule.judge(T, T);

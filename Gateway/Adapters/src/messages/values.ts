@@ -42,7 +42,7 @@ export const refusalMessages = {
   sameStamp:
     "the time stamp is the same as that of the previous value; check that the control system's clock runs, and that the value has only one source",
   notNewer: (apartMs: number) =>
-    `the time stamp is ${apartMs.toFixed(1)} ms older than that of the previous value; check that the value has only one source`,
+    `the time stamp is ${lengthOf(apartMs)} older than that of the previous value; check that the value has only one source, and that its clock was not set back`,
   ahead: (apartMs: number, maxMs: number) =>
     `the time stamp is ${lengthOf(apartMs)} ahead of the control clock; the maximum is ${lengthOf(maxMs)}${otherScale(apartMs)}`,
   behind: (apartMs: number, maxMs: number) =>

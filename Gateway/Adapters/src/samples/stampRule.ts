@@ -41,11 +41,12 @@ export class StampRule {
     const refusal = now === null ? null : this.#against(now, stamp, mayBeOld);
     if (refusal !== null) return refusal;
     const newest = this.#newest;
-    if (newest !== null && !isNewer(stamp, newest, now))
-      return {
-        reason: 'stamp-not-newer',
-        text: stamp === newest ? refusalMessages.sameStamp : refusalMessages.notNewer(toMilliseconds(newest - stamp)),
-      };
+    if (newest !== null && !isNewer(stamp, newest, now)) {
+      const { sameStamp, notNewer } = refusalMessages;
+      const text = stamp === newest ? sameStamp : notNewer(toMilliseconds(newest - stamp));
+      // Without the control time, the newest stamp may be the wrong one.
+      return { reason: 'stamp-not-newer', text: now === null ? text : textOf(stamp, now, text) };
+    }
     this.#newest = stamp;
     return null;
   }
@@ -61,15 +62,17 @@ export class StampRule {
   }
 
   #against(now: Nanoseconds, stamp: Nanoseconds, mayBeOld: boolean): Refusal | null {
-    const { ahead, behind, farApart } = refusalMessages;
-    const isFar = stamp > now + FAR || stamp < now - FAR;
-    const inWords = (text: string): string => (isFar ? farApart(dayOf(stamp)) : text);
-    if (stamp > now + FUTURE) return { reason: 'stamp-future', text: inWords(ahead(toMilliseconds(stamp - now), toMilliseconds(FUTURE))) };
+    const { ahead, behind } = refusalMessages;
+    if (stamp > now + FUTURE) return { reason: 'stamp-future', text: textOf(stamp, now, ahead(toMilliseconds(stamp - now), toMilliseconds(FUTURE))) };
     if (!mayBeOld && stamp < now - this.oldest)
-      return { reason: 'stamp-old', text: inWords(behind(toMilliseconds(now - stamp), toMilliseconds(this.oldest))) };
+      return { reason: 'stamp-old', text: textOf(stamp, now, behind(toMilliseconds(now - stamp), toMilliseconds(this.oldest))) };
     return null;
   }
 }
+
+/** Returns the text, or one with the date of the stamp if this is far from the control time. */
+const textOf = (stamp: Nanoseconds, control: Nanoseconds, text: string): string =>
+  stamp > control + FAR || stamp < control - FAR ? refusalMessages.farApart(dayOf(stamp)) : text;
 
 /** Gets the date of a stamp, such as 2026-11-29; null if a Date cannot contain it. */
 function dayOf(stamp: Nanoseconds): string | null {
