@@ -145,7 +145,7 @@ static class EventTexts
     public static string SourceRefused(string source, string what) => $"source {source} is refused for {what}";
 
     public static string BeyondLimits(double position, string unit, double lower, double upper) =>
-        FormattableString.Invariant($"its position was {position:0.###} {unit}; allowed: {lower:0.###} to {upper:0.###} {unit}");
+        $"its position was {RobotMessages.Short(position)} {unit}; allowed: {RobotMessages.Short(lower)} to {RobotMessages.Short(upper)} {unit}";
 
     public static string JointBeyondLimits(string joint) => $"joint {joint} is outside the limits of the robot description";
 

@@ -104,7 +104,7 @@ public sealed partial class MessageCatalogueTests
         ["RecorderMessages"] = ["Begun", "Deleted", "Disabled", "Download", "Enabled", "Ended", "FolderNotChecked", "UnknownName"],
         ["RecordingMessages"] = ["Stopped"],
         ["RequestMessages"] = ["Closed", "Dropped", "NotAccepted"],
-        ["RobotMessages"] = ["OfRobot"],
+        ["RobotMessages"] = ["OfRobot", "Short"],
         ["SessionMessages"] =
         [
             "Description", "DescriptionUnusable", "FirstPositions", "NoRefreshesMissed", "PlausibleAgain", "Recording", "Stale", "Synchronised",

@@ -1,4 +1,5 @@
 using Nowpose.Gateway.Hub;
+using Nowpose.Gateway.Messages;
 using Nowpose.Gateway.Plants;
 using Nowpose.Gateway.Status;
 using Nowpose.Messages;
@@ -49,6 +50,18 @@ public class LimitAlarmTests
         Assert.That(_alarm.Joints, Is.EqualTo(new[] { "elbow_joint" }));
         Assert.That(_lines, Has.Count.EqualTo(1));
         Assert.That(_lines[0], Is.EqualTo(RobotMessages.BeyondLimits("elbow_joint", 90, "rad", -2 * Math.PI, 2 * Math.PI, "degrees")));
+    }
+
+    [TestCase(1.7e298)]
+    [TestCase(-1.7e298)]
+    public async Task Joints_HugePosition_IsLoggedWithFewDigits(double position)
+    {
+        _source.Describe(RobotFiles.LoadText("ur5"));
+
+        await Found(position);
+
+        Assert.That(_lines[0], Does.Contain("1.7E+298").And.Length.LessThan(300));
+        Assert.That(EventTexts.BeyondLimits(position, "rad", -1, 1), Has.Length.LessThan(100));
     }
 
     [Test]

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 
 namespace Nowpose.Messages
 {
@@ -9,9 +10,13 @@ namespace Nowpose.Messages
         public static string PoseCount(int poses, int links) => $"{poses} poses were passed for {links} links; pass one pose for each link";
 
         public static string BeyondLimits(string joint, double position, string unit, double lower, double upper, string otherUnit) =>
-            FormattableString.Invariant($"joint '{joint}': {position:0.###} {unit} is outside its limits {lower:0.###} to {upper:0.###} ")
+            FormattableString.Invariant($"joint '{joint}': {Short(position)} {unit} is outside its limits {Short(lower)} to {Short(upper)} ")
             + FormattableString.Invariant($"{unit}, and is drawn at the limit; check that the robot description belongs to this robot and ")
             + FormattableString.Invariant($"contains its limits, and that the source sends {unit}, not {otherUnit}");
+
+        /// <summary>Returns a position for a message. A large one has an exponent, because it would otherwise have up to 309 digits.</summary>
+        public static string Short(double position) =>
+            position.ToString(Math.Abs(position) < 1e6 ? "0.###" : "0.###E+0", CultureInfo.InvariantCulture);
 
         public const string DescriptionDiffers =
             "its description differs from that of the gateway, so the pose may be wrong; use the gateway's description on this headset";

@@ -1,4 +1,5 @@
 using System;
+using Nowpose.Messages;
 using Nowpose.Protocol;
 using Nowpose.Protocol.Cell;
 
@@ -49,7 +50,7 @@ namespace Nowpose.Unity.Messages
             $"{title} cannot be placed: {reason}; correct its frame, or reduce the frames of the cell";
 
         public static string ValueOutsideStroke(double value) =>
-            FormattableString.Invariant($"the value {value:0.###} is outside the stroke; publish a value from 0 to 1");
+            $"the value {RobotMessages.Short(value)} is outside the stroke; publish a value from 0 to 1";
 
         public const string NotPlaced = "not placed; place it by hand, or publish its frame on /tf_static";
 
