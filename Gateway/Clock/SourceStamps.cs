@@ -18,7 +18,9 @@ sealed class SourceStamps
     /// <param name="isRefused">Whether the sample was refused because its stamp lies in the future.</param>
     /// <param name="fitsOther">Whether the stamp matches the other clock but not the control clock.</param>
     /// <param name="isAhead">Whether the stamp is further in the future than the clocks' errors explain.</param>
-    public void Add(long now, TimeSpan age, TimeSpan otherAge, bool isRefused, bool fitsOther, bool isAhead)
+    /// <param name="isBehind">Whether the sample is too old to be displayed.</param>
+    public void Add(
+        long now, ControlTime stamp, TimeSpan age, TimeSpan otherAge, bool isRefused, bool fitsOther, bool isAhead, bool isBehind)
     {
         _first ??= now;
         ref var second = ref _seconds[now % StampWatch.Seconds];
@@ -29,7 +31,13 @@ sealed class SourceStamps
         if (isRefused) second.Refused++;
         if (fitsOther) second.OnOther++;
         if (isAhead) second.Ahead++;
-        if (isRefused || fitsOther || isAhead) second.Age = age;
+        if (isBehind)
+        {
+            second.Behind++;
+            if (stamp > second.NewestBehind) second.NewestBehind = stamp;
+        }
+
+        if (isRefused || fitsOther || isAhead || isBehind) second.Age = age;
     }
 
     /// <summary>Returns the totals of the last <see cref="StampWatch.Seconds"/> seconds.</summary>
@@ -44,15 +52,30 @@ sealed class SourceStamps
         var shift = Usual is { } usual && recent.Length > 0 ? recent.MaxBy(second => second.Number).MinAges.ShiftWithOther(usual) : TimeSpan.Zero;
         return new StampCounts(
             recent.Sum(second => second.Samples), recent.Sum(second => second.Refused), recent.Sum(second => second.OnOther),
-            recent.Sum(second => second.Ahead), isLasting, shift,
+            recent.Sum(second => second.Ahead), AreOld(Array.FindAll(recent, second => second.Number < now)), isLasting, shift,
             recent.OrderBy(second => second.Number).LastOrDefault(second => second.Age != TimeSpan.Zero).Age);
+    }
+
+    // Each second must have a newer stamp among its old ones: samples that arrive late once, after a pause, have the stamps of one second only, and a
+    // source may repeat the sample of a joint at rest.
+    static bool AreOld(Second[] complete)
+    {
+        var newest = default(ControlTime);
+        foreach (var second in complete.OrderBy(second => second.Number))
+        {
+            if (2 * second.Behind <= second.Samples || second.NewestBehind <= newest) return false;
+            newest = second.NewestBehind;
+        }
+
+        return complete.Length == StampWatch.Seconds - 1;
     }
 
     struct Second
     {
         public long Number;
-        public int Samples, Refused, OnOther, Ahead;
+        public int Samples, Refused, OnOther, Ahead, Behind;
         public TimeSpan Age;
+        public ControlTime NewestBehind;
         public MinAges MinAges;
 
         public readonly bool IsPlausible => Refused == 0 && OnOther == 0 && Ahead == 0;
@@ -90,13 +113,14 @@ readonly record struct MinAges(TimeSpan Control, TimeSpan Other)
 /// <param name="Refused">Samples that were refused because their stamps lie in the future.</param>
 /// <param name="OnOther">Samples whose stamps match the other clock but not the control clock.</param>
 /// <param name="Ahead">Samples whose stamps are in the future, refused or not.</param>
+/// <param name="AreOld">Whether in each second, most samples were too old to be displayed, and their newest stamp was a new one.</param>
 /// <param name="IsLasting">Whether the source has sent samples for <see cref="StampWatch.Seconds"/> or longer.</param>
 /// <param name="Shift">
 /// Change of the stamps' minimum age on the control clock after a correction of the system clock that only one of the two followed: the
 /// stamps or the control clock. Positive when the stamps became older; zero without such a change.
 /// </param>
-/// <param name="Age">Control time minus the newest stamp that was refused, matched the other clock or lay in the future.</param>
-readonly record struct StampCounts(int Samples, int Refused, int OnOther, int Ahead, bool IsLasting, TimeSpan Shift, TimeSpan Age)
+/// <param name="Age">Control time minus the newest stamp that was refused, matched the other clock, lay in the future or was too old.</param>
+readonly record struct StampCounts(int Samples, int Refused, int OnOther, int Ahead, bool AreOld, bool IsLasting, TimeSpan Shift, TimeSpan Age)
 {
     public bool IsContradiction => IsImplausible || IsShifted;
 
@@ -104,7 +128,10 @@ readonly record struct StampCounts(int Samples, int Refused, int OnOther, int Ah
     public bool IsImplausible => Samples >= StampWatch.MinSamples && 2 * Math.Max(Refused, OnOther) > Samples;
 
     public bool IsShifted => Samples >= StampWatch.MinSamples && Shift != TimeSpan.Zero;
-    public bool IsAhead => IsLasting && !IsContradiction && Samples >= StampWatch.MinSamples && 2 * Ahead > Samples;
+    public bool IsAhead => IsUsable && 2 * Ahead > Samples;
+    public bool IsBehind => IsUsable && AreOld;
     public bool FitsOther => 2 * OnOther > Samples;
+    bool IsUsable => IsLasting && !IsContradiction && Samples >= StampWatch.MinSamples;
+
     public double Percent => 100.0 * Math.Max(Refused, OnOther) / Samples;
 }

@@ -73,6 +73,12 @@ sealed class StampWatch(
     /// </summary>
     public IReadOnlyList<(string Source, string By)> Ahead { get; private set; } = [];
 
+    /// <summary>
+    /// The sources whose new samples have been too old to be displayed in each of the last <see cref="Seconds"/> seconds, each with the age of the
+    /// newest such sample as text.
+    /// </summary>
+    public IReadOnlyList<(string Source, string By)> Behind { get; private set; } = [];
+
     long Now => time.GetTimestamp() / time.TimestampFrequency;
 
     /// <summary>Records the stamp of a sample.</summary>
@@ -84,6 +90,7 @@ sealed class StampWatch(
         // A source that offers its clock stamps with no other clock.
         var otherAge = offeredBound == null ? other() - stamp : age;
         var fitsOther = !IsPlausible(age) && IsPlausible(otherAge);
+        var isBehind = age > MaxAge + (offeredBound ?? errorBound());
         var isAhead = age < -(offeredBound + MaxAheadOfOffered ?? StampRule.PlausibleAhead + errorBound());
         lock (_lock)
         {
@@ -93,7 +100,7 @@ sealed class StampWatch(
                 _sources.Add(source, stamps = new SourceStamps { Usual = _usual.TryGetValue(source.Title, out var usual) ? usual : null });
             }
 
-            stamps.Add(Now, age, otherAge, isRefused, fitsOther, isAhead);
+            stamps.Add(Now, stamp, age, otherAge, isRefused, fitsOther, isAhead, isBehind);
         }
     }
 
@@ -103,7 +110,8 @@ sealed class StampWatch(
         ResetOnClockChange();
         MeasureCorrection();
         var sources = Read();
-        Ahead = [.. sources.Where(one => one.Counts.IsAhead).DistinctBy(one => one.Source).Select(one => (one.Source, Length(-one.Counts.Age)))];
+        Ahead = Lengths(sources, counts => counts.IsAhead);
+        Behind = Lengths(sources, counts => counts.IsBehind);
         var contradicting = sources.Where(one => one.Counts.IsContradiction)
             .OrderByDescending(one => one.Counts.IsImplausible).ThenByDescending(one => one.Counts.Percent).ToArray();
         Found = contradicting.Length > 0 ? Contradiction(contradicting) : Correction();
@@ -168,6 +176,9 @@ sealed class StampWatch(
 
     StampWarning Correction() => _correction.Duration() < MinCorrection ? null : new StampWarning(
         StampMessages.SystemClockCorrected(_correction.TotalSeconds), StampMessages.SystemRemedy, false);
+
+    static (string Source, string By)[] Lengths((string Source, StampCounts Counts)[] sources, Func<StampCounts, bool> isWrong) =>
+        [.. sources.Where(one => isWrong(one.Counts)).DistinctBy(one => one.Source).Select(one => (one.Source, Length(one.Counts.Age.Duration())))];
 
     // Describes the first source in full and lists the names of the others.
     StampWarning Contradiction((string Source, StampCounts Counts)[] sources)

@@ -22,6 +22,10 @@ static class StampMessages
     public const string Corrected = "they follow the system clock, which has moved relative to the control clock";
     /// <summary>The remedy for a source whose clock is not the control clock.</summary>
     public const string SourceRemedy = "Set the clock of the source, or let its adapter offer the clock that stamps its values.";
+    /// <summary>The remedy for a source whose samples are too old, because of its clock or because they arrive late.</summary>
+    public const string LateSourceRemedy =
+        "Set the clock that stamps the values. If it is right, reduce the delay of the samples on their way to the gateway.";
+
     /// <summary>The remedy for a gateway with its own clock; does not apply to the command simulate.</summary>
     public const string SystemRemedy = "Restart the gateway. With serve --own-clock system, it follows the system clock.";
 

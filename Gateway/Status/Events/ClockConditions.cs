@@ -58,10 +58,19 @@ static class ClockConditions
             Remedy = EventRemedies.ClockNames,
         });
 
-    static IEnumerable<Condition> OfStamps(ServedClock clock) => clock.Stamps.Ahead.Select(
-        one => new Condition("source", one.Source, EventTexts.Future, EventTexts.FutureBy(one.By), Level.Warning)
-        {
-            Headline = EventTexts.SourceInFuture(one.Source),
-            Remedy = StampMessages.SourceRemedy,
-        });
+    static IEnumerable<Condition> OfStamps(ServedClock clock)
+    {
+        foreach (var (source, by) in clock.Stamps.Ahead)
+            yield return new("source", source, EventTexts.Future, EventTexts.FutureBy(by), Level.Warning)
+            {
+                Headline = EventTexts.SourceInFuture(source),
+                Remedy = StampMessages.SourceRemedy,
+            };
+        foreach (var (source, by) in clock.Stamps.Behind)
+            yield return new("source", source, EventTexts.TooOld, EventTexts.TooOldBy(by), Level.Warning)
+            {
+                Headline = EventTexts.SourceTooOld(source),
+                Remedy = StampMessages.LateSourceRemedy,
+            };
+    }
 }

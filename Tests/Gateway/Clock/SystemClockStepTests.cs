@@ -197,16 +197,17 @@ public class SystemClockStepTests
         Assert.That((await GetAsync("/readyz")).Text, Does.Not.Contain("contradict"));
     }
 
-    [Test]
-    public async Task State_SourceAheadOfTheControlClock_WarnsAndStaysReady()
+    [TestCase(0.3)]
+    [TestCase(-5)]
+    public async Task State_SourceAheadOfTheControlClockOrFarBehind_WarnsAndStaysReady(double seconds)
     {
         await StartAsync(new SystemControlClock(_system));
-        var ahead = Acquisition + TimeSpan.FromSeconds(0.3);
-        // Publishes for longer than the compared period, without a gap of that length.
-        for (var i = 0; i < 2; i++)
+        var ahead = Acquisition + TimeSpan.FromSeconds(seconds);
+        // Publishes for longer than the compared period, in each second.
+        for (var i = 0; i <= StampWatch.Seconds; i++)
         {
             Assert.That((await PublishAsync(ahead)).Op, Is.EqualTo(RosbridgeOp.Publish));
-            _system.Skip(Window * 0.6);
+            _system.Skip(TimeSpan.FromSeconds(1));
         }
 
         JsonElement Status() => StateAsync().Result.GetProperty("status");
@@ -221,9 +222,10 @@ public class SystemClockStepTests
             () => Status().ToString());
 
         Assert.That((await GetAsync("/readyz")).Text, Is.EqualTo("ready\n"));
-        Assert.That(Status().GetProperty("text").GetString(), Does.Match(
-            $"^{EventTexts.SourceInFuture("rosbridge 127[.]0[.]0[.]1")}: {EventTexts.FutureBy("[0-9]+ ms")}[.] "
-                + $"{StampMessages.SourceRemedy}$"));
+        const string source = "rosbridge 127[.]0[.]0[.]1";
+        Assert.That(Status().GetProperty("text").GetString(), Does.Match(seconds > 0
+            ? $"^{EventTexts.SourceInFuture(source)}: {EventTexts.FutureBy("[0-9]+ ms")}[.] {StampMessages.SourceRemedy}$"
+            : $"^{EventTexts.SourceTooOld(source)}: {EventTexts.TooOldBy("[0-9.]+ s")}[.] {StampMessages.LateSourceRemedy}$"));
     }
 
     /// <summary>Simulates the system's clock and counter. A test can correct the clock and advance the counter.</summary>

@@ -34,6 +34,79 @@ public class WrongSourceTests : StampWatchFixture
         Assert.That(_watch.Ahead, Is.Empty, "the clock of the source was set");
     }
 
+    [TestCase(1.2, "1.3 s")]
+    [TestCase(5.0, "5.1 s")]
+    public void Look_TimeStampsTooOldForFiveSeconds_ReportsTheSourceAndTheDifference(double seconds, string by)
+    {
+        var behind = TimeSpan.FromSeconds(seconds);
+        Run(StampWatch.Seconds - 1, () => System, () => System - behind);
+        Assert.That(_watch.Behind, Is.Empty, "the condition has not lasted long enough");
+
+        Run(2, () => System, () => System - behind);
+        Assert.That(_watch.Behind, Is.EqualTo(new[] { ("second", by) }));
+        Assert.That((_watch.Ahead.Count, _watch.IsContradicted), Is.EqualTo((0, false)), "samples that arrive late do not contradict the clock");
+
+        Run(StampWatch.Seconds, () => System, () => System);
+        Assert.That(_watch.Behind, Is.Empty, "the clock of the source was set");
+    }
+
+    [Test]
+    public void Look_TimeStampsTooOldAfterOneInTheFuture_ReportsTheSource()
+    {
+        Run(1, () => System + TimeSpan.FromHours(1));
+
+        Run(2 * StampWatch.Seconds, () => System - TimeSpan.FromSeconds(5));
+
+        Assert.That(_watch.Behind, Has.Count.EqualTo(1));
+    }
+
+    [Test]
+    public void Look_TwoStreamsOfASourceTooOld_ReportsTheSource()
+    {
+        var isFirst = false;
+        Run(2 * StampWatch.Seconds, () => System - TimeSpan.FromSeconds((isFirst = !isFirst) ? 3 : 7));
+
+        Assert.That(_watch.Behind, Has.Count.EqualTo(1));
+    }
+
+    [Test]
+    public void Look_OldSampleRepeated_ReportsNoSource()
+    {
+        var stamp = System;
+        Run(20, () => stamp);
+
+        Assert.That(_watch.Behind, Is.Empty);
+    }
+
+    [Test]
+    public void Look_SamplesOfAPauseArriveAtOnce_ReportsNoSource()
+    {
+        Run(10, () => System);
+        for (var i = 0; i < 44; i++)
+        {
+            _time.Advance(Second / 10);
+            if (i % 10 == 9) _watch.Look(_log.Add);
+        }
+
+        for (var i = 44; i >= 0; i--) _watch.Add(_sources[0], System - Acquisition - i * Second / 10, false);
+        for (var i = 0; i < 3 * StampWatch.Seconds; i++)
+        {
+            _watch.Look(_log.Add);
+            Assert.That(_watch.Behind, Is.Empty);
+            Run(1, () => System);
+        }
+    }
+
+    [TestCase(0.9, 0.0)]
+    [TestCase(2.5, 2.0)]
+    public void Look_TimeStampsOlderByLessThanOneSecondAndTheErrorBound_ReportsNoSource(double seconds, double errorBound)
+    {
+        _errorBound = TimeSpan.FromSeconds(errorBound);
+        Run(10, () => System - TimeSpan.FromSeconds(seconds));
+
+        Assert.That(_watch.Behind, Is.Empty);
+    }
+
     [TestCase(0.078, 0.002, "8 ms")]
     [TestCase(0.15, 0.002, "80 ms")]
     [TestCase(0.7, 0.1, "630 ms")]
