@@ -29,7 +29,7 @@ static class RangeVerb
         // The files of millions of pairs take seconds.
         var (pictures, origin, fit) = await Invocation.ReadAsync(() => Read(parsed, file), cancel);
         var output = Shared.Output(parsed);
-        var profile = RangeProfile.Of(fit, given.Or(origin.Conditions), origin.Source);
+        var profile = InputPlace.In(file, () => RangeProfile.Of(fit, given.Or(origin.Conditions), origin.Source));
         var warnings = origin.Conditions.MismatchesWith(given)
             .Select(each => PairFileMessages.OtherCondition(file, each.Label, each.Calibrated, each.Actual));
         var page = RangeProfile.Page("Constant-latency range", profile, fit, pictures, [["Pairs of", file]], warnings);

@@ -78,6 +78,8 @@ static class SineVerb
         // Long tables take seconds.
         if (!isVideo) cancel.ThrowIfCancellationRequested();
         var result = new SineResult(tracks, lag, way, new SineCamera(parsed.GetValue(Exposure), earlier.Conditions.DisplayHz));
+        if (result.VisuMs is < 0 or > LatencyProfile.MaxVisuMs)
+            throw new InputException($"{path}: {SineMessages.VisuOutOfRange(result.VisuMs.Value, result.TotalMs, LatencyProfile.MaxVisuMs)}");
         var output = Shared.Output(parsed);
         var profile = result.VisuMs is double visuMs ? earlier.With(visuMs, result.DeviationMs, CalibrationMethod.Sine, measurements: 1) : null;
         var page = earlier.WithWarnings(SinePage.Of(result, profile, path));

@@ -27,6 +27,10 @@ static class SineMessages
         FormattableString.Invariant($"recording: the lag with the best correlation is at or beyond {lagMs:0} ms; allowed: {minMs:0} to ")
         + FormattableString.Invariant($"{maxMs:0} ms; check both clocks");
 
+    public static string VisuOutOfRange(double visuMs, double lagMs, double maxMs) =>
+        FormattableString.Invariant($"L_visu is {visuMs:0.0} ms, from a lag of {lagMs:0.0} ms; allowed: 0 to {maxMs:0} ms; check that robot and ")
+        + "hologram are not exchanged, and check --app-ms, --sampling-ms or --visu-ms";
+
     public static string Ambiguous(double periodSeconds) =>
         FormattableString.Invariant($"recording: the motion repeats after {periodSeconds:0.00} s, so the lag is ambiguous; jog more ")
         + "slowly, with a period of 2 s or more";
@@ -38,7 +42,7 @@ static class SineMessages
 
     public static string SteppedGhost(double? heldMs, double errorMs) =>
         FormattableString.Invariant($"the ghost moves every {heldMs:0.##} ms, in step with the frames of the video: the result may be wrong by ")
-        + FormattableString.Invariant($"up to {errorMs:0.0} ms; film at another frame rate");
+        + FormattableString.Invariant($"up to {errorMs:0.0} ms; film the gripper instead, with --visu-ms, or film at another frame rate");
 
     public static string SteadyFlashes(double picturesPerSecond, double errorMs) =>
         FormattableString.Invariant($"{picturesPerSecond:0.##} pictures a second are in step with the display: the result may be wrong by up to ")

@@ -39,6 +39,18 @@ public class RangeVerbTests : CalibrationFolder
     }
 
     [Test]
+    public async Task Range_TimesInSeconds_AreRefusedWithTheFile()
+    {
+        var file = Write("pairs.csv", ["render_ms,visu_ms", .. Enumerable.Range(1, 40).Select(i => FormattableString.Invariant($"{1e-3 * i},0.04"))]);
+
+        var run = await CliRun.OfAsync("calibrate", "range", file, "--out", Out);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2), run.Errors);
+        Assert.That(run.Errors, Does.StartWith($"nowpose: {file}: "));
+        Assert.That(File.Exists(ProfilePath), Is.False);
+    }
+
+    [Test]
     public async Task Range_SweepAcrossTheLimit_WritesProfilePageAndJson()
     {
         var file = Write("pairs.csv", Sweep(7, 2));

@@ -126,6 +126,20 @@ public class SineVerbTests : CalibrationFolder
         Assert.That(deviation, fps == 25 ? Is.LessThan(1.5) : Is.LessThan(5), "the bound is not wider than the exposure");
     }
 
+    // The hologram is ahead of the robot, because the columns are in the wrong order; or it is later than any display.
+    [TestCase("--columns=hologram_px,robot_px", "--app-ms=10")]
+    [TestCase("--columns=robot_px,hologram_px", "--visu-ms=450")]
+    public async Task Sine_ImplausibleVisu_IsRefusedWithTheFile(params string[] options)
+    {
+        var file = Write("jog.csv", new Jog(100).Lines());
+
+        var run = await CliRun.OfAsync(["calibrate", "sine", file, .. options, "--out", Out]);
+
+        Assert.That(run.ExitStatus, Is.EqualTo(2), run.Errors);
+        Assert.That(run.Errors, Does.StartWith($"nowpose: {file}: "));
+        Assert.That(File.Exists(ProfilePath), Is.False);
+    }
+
     [Test]
     public async Task Sine_ShortExposure_HasASmallUncertainty() =>
         Assert.That((await Measured(new Jog(12), "--visu-ms", "30", "--exposure-ms", "2")).GetProperty("total_sd_ms").GetDouble(), Is.LessThan(1));
