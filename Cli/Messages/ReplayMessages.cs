@@ -41,7 +41,9 @@ static class ReplayMessages
 
     public static string AllLost(double loss) =>
         FormattableString.Invariant($"--loss {loss}: no sample arrived, so no frame could be evaluated; use a smaller share");
-    public static string TooLarge(string path) => $"{path}: the errors are too large to compute; the positions must be in rad or m";
+    /// <param name="axis">Name of an axis whose errors are too large.</param>
+    public static string TooLarge(string path, string axis) =>
+        $"{path}: the errors of {axis} are too large to compute; the positions must be in rad or m";
 
     public static string NothingScored(int samples) =>
         $"no frame could be evaluated: a frame needs a control time between sample {samples} and the last sample of a joint, "

@@ -24,8 +24,13 @@ sealed class ReplayErrors(IReadOnlyList<(string Name, string Unit)> axes)
         var scored = _axes.Zip(axes).Where(axis => axis.First.Count > 0);
         var summaries = scored.Select(axis => axis.First.Summary(axis.Second.Name) with { Unit = axis.Second.Unit });
         var result = new ReplayResult(path, predictor, Frames, [.. summaries]);
-        return double.IsFinite(result.Rms + result.RmsHold) ? result : throw new InputException(ReplayMessages.TooLarge(path));
+        return double.IsFinite(result.Rms + result.RmsHold) ? result
+            : throw new InputException(ReplayMessages.TooLarge(path, result.Axes.MaxBy(Size).Name));
     }
+
+    // A prediction from values that overflow is not a number.
+    static double Size(ReplayResult.Axis axis) =>
+        double.IsNaN(axis.Error.Rms) ? double.PositiveInfinity : Math.Max(axis.Error.Rms, axis.Error.RmsHold);
 }
 
 /// <summary>The values of one axis in one scored frame, in the unit of the axis.</summary>

@@ -236,13 +236,15 @@ public class ReplayRunTests
             Throws.InstanceOf<InputException>().With.Message.EndsWith(ReplayMessages.TooManyFrames("", 20_000_000, 60, 50)));
     }
 
-    [Test]
-    public void Run_PositionsTooLargeToSquare_Throws()
+    [TestCase(1e155)]
+    [TestCase(1e200)]
+    [TestCase(1e300)]
+    public void Run_PositionsOfOneAxisTooLargeToSquare_NamesTheAxis(double size)
     {
-        var motion = new MotionFile(0, MotionFile.EvenTimes(2, 0.1m), t => 1e200 * t);
+        var motion = new MotionFile(0, MotionFile.EvenTimes(2, 0.1m), t => t, t => size * Math.Sin(9 * t), t => 2 * t);
 
         Assert.That(() => Replay(motion, new ReplaySettings()),
-            Throws.InstanceOf<InputException>().With.Message.EndsWith(ReplayMessages.TooLarge("")));
+            Throws.InstanceOf<InputException>().With.Message.EndsWith(ReplayMessages.TooLarge("", "q2")));
     }
 
     [Test]
