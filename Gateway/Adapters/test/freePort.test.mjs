@@ -2,10 +2,12 @@ import assert from 'node:assert/strict';
 import { it } from 'node:test';
 import { AdsServer } from './ads/server.mjs';
 import { youBot } from './ads/youbot.mjs';
+import { RefusingBroker } from './broker/refusingBroker.mjs';
 import { SyncServer } from './broker/syncServer.mjs';
 import { freePort } from './freePort.mjs';
 import { Robot } from './ros/robot.mjs';
 import { RosbridgeDouble } from './rosbridge.mjs';
+import { RtdeRobot } from './rtde/robot.mjs';
 
 it('FreePort_CalledRepeatedly_ReturnsDifferentPorts', async () => {
   const found = new Set();
@@ -19,6 +21,8 @@ const DOUBLES = {
   RosbridgeDouble: async t => (await RosbridgeDouble.start(t)).port,
   Robot: async t => (await Robot.start(t)).port,
   SyncServer: async t => (await SyncServer.start(t)).port,
+  RefusingBroker: async t => Number(new URL((await RefusingBroker.start(t)).url).port),
+  RtdeRobot: async t => (await new RtdeRobot().listen(t)).port,
   AdsServer: async t => {
     const server = new AdsServer(youBot());
     t.after(() => server.close());

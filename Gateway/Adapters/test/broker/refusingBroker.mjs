@@ -1,5 +1,6 @@
 // A broker that accepts each connection and refuses subscriptions or messages.
 import { createServer } from 'node:net';
+import { freePort } from '../freePort.mjs';
 
 const CONNECT = 1, PUBLISH = 3, SUBSCRIBE = 8, PING = 12, NOT_AUTHORISED = 0x87;
 const connack = code => Buffer.of(0x20, 3, 0, code, 0), PONG = Buffer.of(0xd0, 0);
@@ -20,18 +21,18 @@ export class RefusingBroker {
   heard = [];
 
   static async start(test) {
-    const broker = new RefusingBroker(), sockets = new Set();
+    const broker = new RefusingBroker(), sockets = new Set(), port = await freePort();
     const server = createServer(socket => {
       sockets.add(socket);
       broker.#serve(socket);
     });
-    await new Promise(resolve => server.listen(0, '127.0.0.1', resolve));
+    await new Promise(resolve => server.listen(port, '127.0.0.1', resolve));
     broker.stop = () => {
       for (const socket of sockets) socket.destroy();
       server.close();
     };
     test.after(broker.stop);
-    broker.url = `mqtt://127.0.0.1:${server.address().port}`;
+    broker.url = `mqtt://127.0.0.1:${port}`;
     return broker;
   }
 

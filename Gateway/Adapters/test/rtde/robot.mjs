@@ -1,5 +1,6 @@
 // Simulates the RTDE server of a controller with selectable faults, without the code of the adapter.
 import { createServer } from 'node:net';
+import { freePort } from '../freePort.mjs';
 import { byte, doubles, int, packageOf } from './bytes.mjs';
 
 const TYPES = {
@@ -45,10 +46,10 @@ export class RtdeRobot {
     Object.assign(this, options);
   }
 
-  async listen(test, port = 0) {
+  async listen(test, port) {
+    this.port = port ?? await freePort();
     this.#server = createServer(socket => this.#serve(socket));
-    await new Promise(resolve => this.#server.listen(port, '127.0.0.1', resolve));
-    this.port = this.#server.address().port;
+    await new Promise(resolve => this.#server.listen(this.port, '127.0.0.1', resolve));
     test.after(() => this.stop());
     return this;
   }
