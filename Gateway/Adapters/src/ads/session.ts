@@ -250,7 +250,8 @@ export class AdsSession {
   #reportState(): void {
     const { adsState, adsStateStr } = this.#client.metaData.plcRuntimeState ?? { adsState: RUN };
     this.#isRunning = adsState === RUN;
-    if (!this.#isReading) return;
+    // While the session leaves, the PLC may still report its states.
+    if (!this.#isReading || this.#ended.signal.aborted) return;
     if (this.#isRunning) {
       this.context.status.enter('connected');
       void this.#attachClock();

@@ -138,38 +138,6 @@ describe('ads', () => {
     await until(() => bridge.status.level === 0, () => JSON.stringify(bridge.status));
   });
 
-  // After the first start, the adapter subscribes again to the symbol, whose value has changed.
-  it('Adapter_PlcStopsAgainDuringASubscription_PublishesTheValueAfterTheNextStart', async t => {
-    let value = 1.5;
-    const plc = new Plc([...variables(), new PlcSymbol('MAIN.fStill', 'LREAL', () => value)], { cycleMs: 5 });
-    const { bridge, server } = await cell(t, { plc, more: '  on_change: true\n', joints: '  - { joint: still, symbol: MAIN.fStill }\n' });
-    const isIn = expected => until(() => bridge.state?.state === expected, () => JSON.stringify(bridge.state));
-    const refused = () => Number(bridge.state?.['refused/plc-stopped'] ?? 0), isPublished = () => bridge.jointStates.some(s => s.position[0] === 0.5);
-    await jointIs(bridge, 'still', 'rest');
-    plc.plcState = state.stop;
-    await isIn('waiting');
-    value = 0.5;
-    await jointIs(bridge, 'still', 'refused');
-    const before = refused();
-    server.respond = async (sent, send, data) => {
-      // The notifications of the clock have the cycle time 0.
-      if (sent === command.addNotification && data.readUInt32LE(20) > 0) {
-        await isIn('connected');
-        plc.plcState = state.stop;
-        await isIn('waiting');
-      }
-      send();
-    };
-
-    plc.plcState = state.run;
-    await until(() => refused() > before, () => JSON.stringify(bridge.state));
-
-    assert.deepEqual([isPublished(), bridge.joint('still').state], [false, 'refused']);
-    server.respond = (_, send) => send();
-    plc.plcState = state.run;
-    await until(isPublished, () => JSON.stringify(bridge.state));
-  });
-
   it('Adapter_RouterOnThisMachine_UsesTheAddressThatTheRouterAssigns', async t => {
     const { bridge } = await cell(t, { local: '' });
 

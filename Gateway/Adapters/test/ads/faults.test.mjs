@@ -11,9 +11,7 @@ import { temporaryFile } from '../temporary.mjs';
 import { VirtualTime } from '../virtualTime.mjs';
 import { assertMatchesPlc, cell, clockOf, configuration, jointIs, NET_ID, statesOf } from './cell.mjs';
 import { command, state } from './frames.mjs';
-import { Plc } from './plc.mjs';
 import { AdsServer } from './server.mjs';
-import { PlcSymbol } from './symbols.mjs';
 import { variables, youBot } from './youbot.mjs';
 import { ANY, like, messages } from '../messages.mjs';
 
@@ -77,43 +75,6 @@ describe('faults over ADS', () => {
     const { adapter } = await cell(t, { more });
 
     await adapter.said(adsMessages.clockNotReadable(adsMessages.clockStopped('GVL.nStoppedTime')));
-  });
-
-  it('Adapter_PlcStoppedAndStarted_ReportsTheStopThenReadsAgain', async t => {
-    const { plc, bridge, adapter } = await cell(t);
-    await statesOf(bridge);
-
-    plc.plcState = state.stop;
-    await adapter.said(`waiting: ${adsMessages.programState('Stop')}`);
-    // The diagnostics arrive after the last positions, because they use the same connection.
-    const refused = () => Number(bridge.state?.['refused/plc-stopped'] ?? 0);
-    const first = await until(refused, 'refusals'), count = bridge.jointStates.length;
-    await until(() => refused() > first, 'more refusals');
-    assert.equal(bridge.jointStates.length, count);
-    assert.equal((await bridge.call('/nowpose/plant_time/cell')).result, false);
-    assert.match(bridge.joint('arm_joint_1').state, /fault|refused/);
-    assert.ok(bridge.status.message.includes('state Stop'), bridge.status.message);
-
-    plc.plcState = state.run;
-    await statesOf(bridge, count + 5);
-    assert.equal((await until(() => bridge.state?.state === 'connected' && bridge.state, 'diagnostics')).kind, 'ads');
-  });
-
-  // The PLC sends no notification when its program starts again, because the value has not changed since.
-  it('Adapter_ValueChangesWhileThePlcIsStopped_IsPublishedAfterTheStart', async t => {
-    let value = 1.5;
-    const plc = new Plc([...variables(), new PlcSymbol('MAIN.fStill', 'LREAL', () => value)], { cycleMs: 5 });
-    const { bridge } = await cell(t, { plc, more: '  on_change: true\n', joints: '  - { joint: still, symbol: MAIN.fStill }\n' });
-    await jointIs(bridge, 'still', 'rest');
-
-    plc.plcState = state.stop;
-    await until(() => bridge.state?.state === 'waiting', () => JSON.stringify(bridge.state));
-    value = 0.5;
-    await jointIs(bridge, 'still', 'refused');
-    plc.plcState = state.run;
-
-    await jointIs(bridge, 'still', 'rest');
-    assert.deepEqual(bridge.jointStates.at(-1).position, [0.5]);
   });
 
   it('Adapter_NewPlcProgram_LooksUpTheVariablesAgain', async t => {
