@@ -63,6 +63,8 @@ export async function subscribe(
   let absence = '';
   /** Whether the publishing bridge and its gateway are connected. */
   let isPresent = false;
+  /** Whether the broker had their presence before the subscription. It may be old, so it is valid after the next message that is not retained. */
+  let isUnconfirmed = false;
   /** Cancels the end of the trust in the presence. */
   let keepPresence = (): void => {};
   const broker = new BrokerLink(settings, configuration.plant.name, [...take.keys(), ...objects.topics, ALIVE], {
@@ -81,8 +83,9 @@ export async function subscribe(
       if (isPresent) showState();
       else status.enter('waiting', reason ?? absence);
     },
-    heard: (name, payload) => {
-      if (name === ALIVE) return enter(payload.toString());
+    heard: (name, payload, isRetained) => {
+      if (name === ALIVE) return enter(payload.toString(), isRetained);
+      if (isUnconfirmed && !isRetained) confirm();
       const known = take.get(name);
       // The message has been removed from the broker.
       if (payload.length === 0) return known === undefined ? objects.remove(name) : undefined;
@@ -94,7 +97,7 @@ export async function subscribe(
     malformed,
   });
 
-  function enter(presence: string): void {
+  function enter(presence: string, isRetained: boolean): void {
     keepPresence();
     if (presence !== ('true' satisfies Presence))
       return withdraw(presence === ('no gateway' satisfies Presence) ? brokerMessages.gatewayAway : brokerMessages.bridgeAway);
@@ -102,6 +105,12 @@ export async function subscribe(
     keepPresence = afterArrivals(MAX_SILENCE_MS, () => withdraw(brokerMessages.bridgeSilent(MAX_SILENCE_MS / 1000)));
     // Only once, because a state with a reason puts each joint and signal in fault until its next value.
     if (isPresent) return;
+    if (isRetained) isUnconfirmed = true;
+    else confirm();
+  }
+
+  function confirm(): void {
+    isUnconfirmed = false;
     isPresent = true;
     // Does not subscribe again to get the retained values: after a failure between two brokers, those on the broker of this bridge may be old.
     showState();
@@ -124,7 +133,7 @@ export async function subscribe(
 
   function leave(): void {
     keepPresence();
-    isPresent = false;
+    isPresent = isUnconfirmed = false;
     reported.leave();
     objects.leave();
     setPoints.forget();
