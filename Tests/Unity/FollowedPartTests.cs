@@ -123,11 +123,34 @@ public class FollowedPartTests : PlayedParts
         ((CellSignal)parts[2]).Follow(_session);
         ((ActuatedPart)parts[3]).Follow(_session);
         Assert.That(_session.Parts.Count, Is.Zero);
-        Assert.That(((TrackedObject)parts[0]).Fault, Is.EqualTo(ObjectMessages.Disabled("tracked object", parts[0].name)));
-        Assert.That(((StationaryObject)parts[1]).Fault, Is.EqualTo(ObjectMessages.Disabled("stationary object", parts[1].name)));
         foreach (var part in parts) part.enabled = true;
 
         Assert.That(_session.Parts.Count, Is.EqualTo(4));
+    }
+
+    [TestCase(false)]
+    [TestCase(true)]
+    public void Fault_ComponentDisabledOrObjectInactive_StatesIt(bool isObject)
+    {
+        var (tracked, placed) = (Loose<TrackedObject>("a"), Loose<StationaryObject>("b"));
+        var (signal, part) = (Loose<CellSignal>("c"), Loose<ActuatedPart>("d"));
+        var rig = Below<RobotRig>("e", _session.transform);
+        var (grip, path) = (Below<GripByReach>("f", rig.transform), Below<PlannedPath>("g", rig.transform));
+
+        foreach (var each in new MonoBehaviour[] { tracked, placed, signal, part, rig, grip, path })
+        {
+            if (isObject) each.gameObject.SetActive(false);
+            else each.enabled = false;
+        }
+
+        Assert.That(
+            new[] { tracked.Fault, placed.Fault, signal.Fault, part.Fault, rig.Fault, grip.Fault, path.Fault },
+            Is.EqualTo(new[]
+            {
+                ObjectMessages.Disabled("tracked object", "a"), ObjectMessages.Disabled("stationary object", "b"),
+                ObjectMessages.Disabled("signal", "c"), ObjectMessages.Disabled("actuated part", "d"), ObjectMessages.Disabled("rig", "e"),
+                ObjectMessages.Disabled("grip by reach", "f"), ObjectMessages.Disabled("planned path", "g"),
+            }));
     }
 
     [Test]

@@ -60,7 +60,7 @@ namespace Nowpose.Unity
         /// none.
         /// </summary>
         public string Fault =>
-            _conflict ?? (_follower != null ? _follower.Fault : enabled ? StatusMessages.NoSession
+            _conflict ?? (_follower != null ? _follower.Fault : isActiveAndEnabled ? StatusMessages.NoSession
                 : (_disabled ??= ObjectMessages.Disabled("actuated part", name)));
 
         MrilSession IFollowsSession.AssignedSession => _session;

@@ -85,7 +85,7 @@ namespace Nowpose.Unity
         public ControlTime? Since => _follower?.Track?.Since;
 
         /// <summary>Reason why the value is not current, in one line; null if it is current.</summary>
-        public string Fault => _follower != null ? _follower.Fault : enabled ? StatusMessages.NoSession
+        public string Fault => _follower != null ? _follower.Fault : isActiveAndEnabled ? StatusMessages.NoSession
             : (_disabled ??= ObjectMessages.Disabled("signal", name));
 
         /// <summary>The events of the Inspector.</summary>

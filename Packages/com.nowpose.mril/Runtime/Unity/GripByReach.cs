@@ -53,7 +53,7 @@ namespace Nowpose.Unity
         {
             get
             {
-                if (!enabled) return ObjectMessages.Disabled("grip by reach", name);
+                if (!isActiveAndEnabled) return ObjectMessages.Disabled("grip by reach", name);
                 if (_source == null) return StatusMessages.NoRig;
                 if (_source.Session == null && _session != null) return PoseMessages.RigDisabled;
                 if (_followed == null || _followed != _session.Session) return StatusMessages.NoSession;

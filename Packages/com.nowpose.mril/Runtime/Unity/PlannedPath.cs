@@ -38,12 +38,13 @@ namespace Nowpose.Unity
         Vector3[] _places = Array.Empty<Vector3>();
         int _count;
         bool _isCarrierUnplanned;
+        [NonSerialized] string _fault = StatusMessages.NoSession;
 
         /// <summary>Time from the first to the last point of the line, in s; 0 while the line is hidden.</summary>
         public float DrawnSeconds { get; private set; }
 
         /// <summary>Reason why the line is hidden, in one line; null while it is drawn.</summary>
-        [field: NonSerialized] public string Fault { get; private set; } = StatusMessages.NoSession;
+        public string Fault => isActiveAndEnabled ? _fault : ObjectMessages.Disabled("planned path", name);
 
         void OnEnable()
         {
@@ -93,8 +94,8 @@ namespace Nowpose.Unity
 
         void Show(DisplayFrame frame)
         {
-            Fault = FaultIn(frame);
-            if (Fault == null) Draw(_count);
+            _fault = FaultIn(frame);
+            if (_fault == null) Draw(_count);
             else Clear();
         }
 
@@ -137,7 +138,7 @@ namespace Nowpose.Unity
 
         void Hide()
         {
-            Fault = StatusMessages.NoSession;
+            _fault = StatusMessages.NoSession;
             Clear();
         }
 

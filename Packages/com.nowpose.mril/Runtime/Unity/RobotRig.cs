@@ -96,7 +96,8 @@ namespace Nowpose.Unity
         }
 
         /// <summary>Reason why the robot's pose is not current, in one line; null if it is current.</summary>
-        internal string Fault => _source == null ? StatusMessages.NoSession : _robot.Fault;
+        internal string Fault =>
+            _source != null ? _robot.Fault : isActiveAndEnabled ? StatusMessages.NoSession : ObjectMessages.Disabled("rig", name);
 
         /// <summary>Returns the state that the robot's look shows in a frame of the session.</summary>
         internal PoseState StateIn(DisplayFrame frame) => _robot == null ? frame.SettledState : _robot.StateIn(frame);
@@ -157,8 +158,7 @@ namespace Nowpose.Unity
         {
             if (model == null) throw new ArgumentNullException(nameof(model));
             if (model != Model) Unbuild();
-            Model = null;
-            _hierarchy = null;
+            (Model, _hierarchy) = (null, null);
             _hierarchy = RigHierarchy.Find(model, transform) ?? Built(model);
             _joints = new double[model.MovingJoints.Count];
             Model = model;

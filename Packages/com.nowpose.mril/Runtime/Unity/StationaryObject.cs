@@ -73,7 +73,7 @@ namespace Nowpose.Unity
 
         /// <summary>Reason why the object's pose is not current, in one line; null if it is current.</summary>
         public string Fault =>
-            _followed != null ? _followed.Fault : enabled ? StatusMessages.NoSession : ObjectMessages.Disabled("stationary object", name);
+            _followed != null ? _followed.Fault : isActiveAndEnabled ? StatusMessages.NoSession : ObjectMessages.Disabled("stationary object", name);
 
         /// <summary>The frame that the object follows; null while it follows none.</summary>
         internal FollowedFrame Followed => _followed;

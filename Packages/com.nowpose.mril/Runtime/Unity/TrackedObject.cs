@@ -44,7 +44,7 @@ namespace Nowpose.Unity
 
         /// <summary>Reason why the object's pose is not current, in one line; null if it is current.</summary>
         public string Fault =>
-            _followed != null ? _followed.Fault : enabled ? StatusMessages.NoSession : ObjectMessages.Disabled("tracked object", name);
+            _followed != null ? _followed.Fault : isActiveAndEnabled ? StatusMessages.NoSession : ObjectMessages.Disabled("tracked object", name);
 
         /// <summary>
         /// Distance in metres between the newest pose and the pose at the display time: the distance by which the compensation moves the object. Null

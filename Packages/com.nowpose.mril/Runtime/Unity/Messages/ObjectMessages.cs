@@ -22,7 +22,7 @@ namespace Nowpose.Unity.Messages
         public const string PlacedByHand = "placed by hand";
         public const string RobotUnknown = "its robot is unknown";
 
-        public static string Disabled(string kind, string component) => $"{kind} '{component}' is disabled; enable or remove it";
+        public static string Disabled(string kind, string component) => $"{kind} '{component}' is disabled; enable it and its object, or remove it";
 
         public static string MovedByJoint(string rig, string joint) =>
             $"joint '{joint}' of the rig '{rig}' moves the same object; put the actuated part on a child object";
