@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using Nowpose.Simulation;
 using Nowpose.Sync;
@@ -58,6 +59,35 @@ namespace Nowpose.Tests.Core.Sync
                 Assert.That(run.PercentileMs(490, 1), Is.LessThan(2.5), "seed " + seed);
                 Assert.That(run.Instants.Where(i => i.At >= 490).All(i => ClockSettings.Default.Trusts(i.Model)), Is.True, "seed " + seed);
             }
+        }
+
+        /// <summary>
+        /// A line that was outside the bounds before a pause, and still is with the first exchange after it, restarts at once. If the time began
+        /// again with this exchange, the largest errors would last 10 s longer.
+        /// </summary>
+        [Test]
+        public void Error_PausesDuringAndAfterASlew_IsSmallSoonAfterThem()
+        {
+            const double Pause = 55, Soon = 12;
+            var errors = new List<double>();
+            for (var seed = FirstSeed; seed < FirstSeed + 4 * Seeds; seed++)
+            {
+                var link = new SimulatedLink(NetworkProfile.Named("lan"), seed, skewPpm: 20);
+                var run = new SyncRun(new DefaultClockEstimator());
+                var random = new Random(seed);
+                run.Run(link, 0, 120);
+                for (var at = 120.0; at < 1000;)
+                {
+                    var (ppm, begin, pause) = (at < 320 ? 20 : 0, at, at + 8 + 12 * random.NextDouble());
+                    at = pause + Pause;
+                    Slew(run, link, ppm, begin, pause);
+                    if (begin > 120) errors.AddRange(run.Instants.Where(i => i.At >= begin && i.At < begin + Soon).Select(i => Math.Abs(i.ErrorMs)));
+                    Slew(run, link, ppm, pause, at, exchange: false);
+                }
+            }
+
+            errors.Sort();
+            Assert.That(errors[(int)(0.95 * errors.Count)], Is.LessThan(0.9), $"seeds {FirstSeed} to {FirstSeed + 4 * Seeds - 1}");
         }
 
         /// <summary>After the restart that corrects such a mistake, the exchanges from before must not be mistaken for a clock step.</summary>
@@ -132,19 +162,23 @@ namespace Nowpose.Tests.Core.Sync
         // The slew starts at 120 s. The run lasts for four minutes after its end.
         static SyncRun Slewed(string network, double ppm, int seed, double seconds = 60, bool isBusy = false)
         {
-            const double Interval = 0.2;
             var link = new SimulatedLink(NetworkProfile.Named(network), seed, skewPpm: 20);
             if (isBusy) link.Load = SimulatedLink.Queues;
             var run = new SyncRun(new DefaultClockEstimator());
             run.Run(link, 0, 120);
-            for (var exchange = 0; exchange < seconds / Interval; exchange++)
-            {
-                link.Step += Lengths.Ms(ppm * 1e-3 * Interval);
-                run.Run(link, 120 + (exchange * Interval), 120 + ((exchange + 1) * Interval));
-            }
-
+            Slew(run, link, ppm, 120, 120 + seconds);
             run.Run(link, 120 + seconds, 360 + seconds);
             return run;
+        }
+
+        static void Slew(SyncRun run, SimulatedLink link, double ppm, double from, double to, bool exchange = true)
+        {
+            const double Interval = 0.2;
+            for (var step = 0; step < (to - from) / Interval; step++)
+            {
+                link.Step += Lengths.Ms(ppm * 1e-3 * Interval);
+                run.Run(link, from + (step * Interval), from + ((step + 1) * Interval), exchange);
+            }
         }
     }
 }
