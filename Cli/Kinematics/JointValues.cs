@@ -10,13 +10,13 @@ sealed class JointValues
     readonly double[] _positions;
     readonly bool[] _given;
 
-    /// <param name="list"><c>name=value,name=value…</c>, or empty.</param>
+    /// <param name="list"><c>name=value,name=value…</c>; null for no values.</param>
     public JointValues(RobotModel model, string list)
     {
         _model = model;
         _positions = new double[model.MovingJoints.Count];
         _given = new bool[model.MovingJoints.Count];
-        if (list.Trim().Length == 0) return;
+        if (list == null) return;
         foreach (var entry in list.Split(',', StringSplitOptions.TrimEntries)) Take(entry);
     }
 
@@ -28,14 +28,14 @@ sealed class JointValues
         return positions;
     }
 
-    /// <summary>Gets one sentence for each position outside the joint's limits, of the joints with a value and of mimic joints.</summary>
+    /// <summary>Gets one sentence for each position outside the joint's limits, also for joints without a value.</summary>
     /// <param name="positions">The positions of <see cref="Complete"/>.</param>
     public IEnumerable<string> OutOfLimits(double[] positions)
     {
         for (var i = 0; i < positions.Length; i++)
         {
             var joint = _model.MovingJoints[i];
-            if ((_given[i] || joint.Mimic != null) && !joint.Limits.Contains(positions[i])) yield return OutOfLimits(joint, positions[i]);
+            if (!joint.Limits.Contains(positions[i])) yield return OutOfLimits(joint, positions[i]);
         }
     }
 

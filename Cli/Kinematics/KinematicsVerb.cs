@@ -24,7 +24,7 @@ static class KinematicsVerb
     static int Run(string file, string joints, bool json)
     {
         var model = RobotFiles.Load(file);
-        var values = new JointValues(model, joints ?? "");
+        var values = new JointValues(model, joints);
         var positions = values.Complete();
         var poses = Poses(model, positions);
         foreach (var note in values.OutOfLimits(positions))

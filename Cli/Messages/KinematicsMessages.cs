@@ -4,7 +4,8 @@ namespace Nowpose.Cli.Messages;
 static class KinematicsMessages
 {
     public static string BeyondLimits(string joint, double value, string unit, double lower, double upper) =>
-        FormattableString.Invariant($"joint {joint}: {value} {unit} is outside its limits {lower} to {upper} {unit}; this value is used");
+        FormattableString.Invariant($"joint {joint}: {value} {unit} is outside its limits {lower} to {upper} {unit}; this value is used. ")
+        + $"To use another, set {joint} in --joints";
 
     public static string NotAPair(string entry) => $"--joints: '{entry}' must have the form name=value";
     public static string FixedJoint(string joint) => $"{joint} is a fixed joint";

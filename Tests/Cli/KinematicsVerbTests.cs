@@ -92,6 +92,18 @@ public class KinematicsVerbTests
     }
 
     [Test]
+    public async Task Kinematics_DefaultOutsideTheLimits_ComputesAndWarns()
+    {
+        using var file = new TemporaryFile(Slide.Replace("lower=\"0\"", "lower=\"0.2\"", StringComparison.Ordinal), ".urdf");
+
+        var run = await CliRun.OfAsync("kinematics", file.Path, "--joints", "follow=0", "--json");
+
+        Assert.That(run.ExitStatus, Is.EqualTo(0));
+        Assert.That(X(run, "a"), Is.EqualTo(0));
+        Assert.That(run.Errors.TrimEnd(), Is.EqualTo("nowpose: " + KinematicsMessages.BeyondLimits("lead", 0, "m", 0.2, 0.5)));
+    }
+
+    [Test]
     public async Task Kinematics_NoJsonOption_PrintsAMatrixPerLink()
     {
         var run = await RunAsync("--joints", "lead=0.125");
@@ -122,6 +134,7 @@ public class KinematicsVerbTests
         ["lead=", KinematicsMessages.NotANumber("lead", "", "m")],
         ["lead", KinematicsMessages.NotAPair("lead")],
         ["lead=1,", KinematicsMessages.NotAPair("")],
+        [" ", KinematicsMessages.NotAPair("")],
         ["lead=1.5e308", KinematicsMessages.TooLarge],
     ];
 

@@ -84,7 +84,7 @@ public sealed partial class MessageCatalogueTests
             "AtEnd", "BaseNotCurrent", "CurrentAgain", "NeverCurrent", "NoJointsOfRobot", "OtherNamespaces", "Pose", "RecordingStopped",
         ],
         ["KeyFileMessages"] = ["Renewed"],
-        ["KinematicsMessages"] = ["BeyondLimits", "FixedJoint", "Title", "UnknownJoint"],
+        ["KinematicsMessages"] = ["FixedJoint", "Title", "UnknownJoint"],
         ["LatencyProfileMessages"] = ["Of"],
         ["LimitMessages"] = ["MoreLines"],
         ["LoadSweepMessages"] = ["Building", "WaitingForClock"],
