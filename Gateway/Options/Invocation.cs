@@ -4,8 +4,8 @@ using System.CommandLine.Help;
 namespace Nowpose.Gateway.Options;
 
 /// <summary>
-/// Runs a command of a program and returns its exit status. Invalid input gives one line on stderr and status 2, a failure status 1, and
-/// Ctrl-C status 130.
+/// Runs a command of a program and returns its exit status. Invalid input gives one line on stderr and status 2, a failure status 1,
+/// Ctrl-C status 130, and another request to end the status of the program for it.
 /// </summary>
 public static class Invocation
 {
@@ -44,8 +44,8 @@ public static class Invocation
             // A null timeout disables the library's signal handling, which returns the same status for every signal.
             var configuration = new InvocationConfiguration { EnableDefaultExceptionHandler = false, ProcessTerminationTimeout = null };
             var status = await parsed.InvokeAsync(configuration, end.Token);
-            // The result of an interrupted command is partial, even if the command has written it.
-            return status == ExitStatus.Done && end.Token.IsCancellationRequested ? Ended() : status;
+            // The result of an interrupted command is partial, even if the command has written it. The command does not know the kind of the request.
+            return end.Token.IsCancellationRequested && status is ExitStatus.Done or ExitStatus.Interrupted ? Ended() : status;
         }
         catch (WrongEntriesException bad)
         {

@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Nowpose.Headless.Tests.Cli;
 
-/// <summary>Interrupts commands while they read a file that does not end.</summary>
+/// <summary>Interrupts commands while they read a file that does not end, and after a part of their result.</summary>
 [Platform(Exclude = "Win")]
 public class InterruptTests
 {
@@ -106,6 +106,17 @@ public class InterruptTests
         await using var writer = await OpenAsync();
 
         Assert.That(await command.InterruptAsync(), Is.EqualTo(130), command.All);
+    }
+
+    [TestCase("INT", 130)]
+    [TestCase("TERM", 143)]
+    public async Task Signal_CommandWithAPartialResult_ExitsWithTheStatusOfTheSignal(string signal, int status)
+    {
+        Needs.Vision();
+        using var command = new PeerProcess("Nowpose.Cli.dll", "calibrate", "simulate", "--pictures", "5000", "--out", _folder.Path);
+        await Soon.BecomesAsync(() => Directory.EnumerateFiles(_folder.Path, "*.jpg", SearchOption.AllDirectories).Any(), "a picture");
+
+        Assert.That(await command.SignalAsync(signal), Is.EqualTo(status), command.All);
     }
 
     static IEnumerable<string> Leaves(string path, Command command) => command.Subcommands.Count == 0
