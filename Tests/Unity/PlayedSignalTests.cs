@@ -119,23 +119,6 @@ public class PlayedSignalTests : PlayedParts
     }
 
     [Test]
-    public void Signal_ListenerThrows_OtherComponentsReceiveTheChange()
-    {
-        var first = Below<CellSignal>("first", _session.transform).With("_signal", "jaw");
-        var second = Below<CellSignal>("second", _session.transform).With("_signal", "jaw");
-        first.Changed += _ => throw new InvalidOperationException("a mistake of the user");
-        var received = new List<double>();
-        second.Changed += received.Add;
-        Run(1);
-        SendSignal("jaw", _cell.Now - 1, 1);
-
-        Run(0.3);
-
-        Assert.That(received, Is.EqualTo(new[] { 1.0 }));
-        Assert.That(_cell.Player.Logs.Count(log => log.Type == LogType.Exception), Is.EqualTo(1));
-    }
-
-    [Test]
     public void Signal_ListenerEndsTheSession_NoFrameRemains()
     {
         var signal = Below<CellSignal>("jaw", _session.transform);

@@ -127,23 +127,16 @@ namespace Nowpose.Unity.Cell
 
         void Take(SignalTrack signal)
         {
-            if (signal.Name != Name) return;
+            // A listener of the same change that was called before may have disabled the component.
+            if (_hasLeft || signal.Name != Name) return;
             Track = signal;
             Raise(_changed, signal);
         }
 
-        // A listener of one component must not keep a change from the others, which would show an old state as current.
         void Raise<T>(Action<T> listener, T value)
         {
             IsRaising = true;
-            try
-            {
-                listener(value);
-            }
-            catch (Exception fault)
-            {
-                Debug.LogException(fault, _source);
-            }
+            listener(value);
             IsRaising = false;
         }
 
