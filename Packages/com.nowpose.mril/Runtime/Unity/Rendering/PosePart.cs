@@ -22,7 +22,7 @@ namespace Nowpose.Unity.Rendering
         PoseMaterial _material;
         Material[] _own, _substitutes;
         MaterialPropertyBlock[] _ownBlocks;
-        Color? _ownColour;
+        Color? _ownColour, _leftColour;
         PoseLook _look;
         float _ownFade, _ownHatch, _opacity;
         bool _isOwnOff, _isTaken, _isMarked, _isPoseDrawn, _isHidden, _isSubstituted, _isAlphaSet, _isPatternSet, _hadBlock;
@@ -265,9 +265,12 @@ namespace Nowpose.Unity.Rendering
             {
                 _hadBlock = HasOwnBlock;
                 _ownColour = _block.HasColor(_material.Colour) ? _block.GetColor(_material.Colour) : (Color?)null;
+                // This part has left the material's colour in the user's block.
+                if (_ownColour == _leftColour) _ownColour = null;
             }
             _isAlphaSet = fade > 0;
             var colour = _ownColour ?? _renderer.sharedMaterial.GetColor(_material.Colour);
+            _leftColour = _ownColour.HasValue ? (Color?)null : colour;
             colour.a *= 1 - PoseLook.OpacityLoss * fade;
             _block.SetColor(_material.Colour, colour);
             // Removes the whole block if the part had none: a colour in the block would override later changes of the material's colour.
