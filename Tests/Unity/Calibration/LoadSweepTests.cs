@@ -6,6 +6,7 @@ using Nowpose.Messages;
 using Nowpose.Unity.Messages;
 using NUnit.Framework;
 using UnityEngine;
+using UnityEngine.Events;
 
 namespace Nowpose.Unity.Tests.Calibration;
 
@@ -25,6 +26,9 @@ public sealed class LoadSweepTests
     public async Task Log_SweepComplete_HasARowForEachCodeWithItsLoad(bool rewrites)
     {
         _played.Play(rewrites);
+        var (onDone, done) = (new UnityEvent(), new List<LoadSensitivity>());
+        onDone.AddListener(() => done.Add(_played.Sweep.Verdict));
+        _played.Sweep.With("_onDone", onDone);
         _played.Run(5);
         _played.Sweep.StartSweep();
         var seen = new Dictionary<int, int>();
@@ -44,6 +48,7 @@ public sealed class LoadSweepTests
             Assert.That(seen.GetValueOrDefault(TimestampCode.ValueOf(row.FrameStart), -1), Is.EqualTo(row.Vertices), "by the code of " + row.FrameStart);
         Assert.That(rows, Has.All.Matches<SweepRow>(row => row.Source == RenderTimeSourceKind.DisplayGpuTime && row.RenderMs > 2));
         Assert.That(rows, Has.All.Matches<SweepRow>(row => row.Device == SystemInfo.deviceModel && row.DisplayHz == 60));
+        Assert.That(done, Is.EqualTo(new[] { _played.Sweep.Verdict }).And.None.Null);
     }
 
     [Test]

@@ -273,7 +273,7 @@ namespace Nowpose.Unity
             if (Verdict.Sight == LoadSight.Seen) ConsoleLog.Info(this, message);
             else ConsoleLog.Warn(this, message);
             ShowText(Verdict.Words);
-            _onDone.Invoke();
+            _onDone.Raise(this);
         }
 
         void ShowPhase()
