@@ -241,7 +241,7 @@ public class PlayedActuatedPartTests : PlayedParts
 
         gripper.enabled = false;
         Run(1);
-        Assert.That((part.Fault, part.Share, FaultsNow()), Is.EqualTo(((string)null, 1f, "")));
+        Assert.That((part.Fault, part.Share, FaultsNow(), _session.Parts.Count), Is.EqualTo(((string)null, 1f, "", 1)));
         // The gripper left the finger at the displayed position of its joint at rest, which is 0 except for rounding.
         Assert.That((finger.localPosition - new Vector3(0, 0, 1)).magnitude, Is.LessThan(1e-6));
     }

@@ -191,4 +191,31 @@ public class PlayedGripTests : PlayedParts
 
         Assert.That(_session.Parts.Count, Is.Zero);
     }
+
+    [Test]
+    public void GripByReach_SessionRestarts_GripsInTheNewSession()
+    {
+        var (rig, grip, _) = NewGrip();
+        Run(2, _ => { });
+        void Send(double t) => SendPose("world", "box", t, UnityPoses.ToRoom(rig.Tool.position, rig.Tool.rotation));
+        void Close()
+        {
+            Run(1, Send);
+            SendSignal("grip", _cell.Now - 1, 0);
+            Run(0.5, Send);
+            SendSignal("grip", _cell.Now - Latency, 1);
+            Run(0.5, Send);
+        }
+        Close();
+        Assert.That((grip.Held, grip.Fault), Is.EqualTo(("box", (string)null)));
+
+        _session.enabled = false;
+        Assert.That(grip.Fault, Is.EqualTo(StatusMessages.NoSession));
+        _session.enabled = true;
+        Run(1, Send);
+        Assert.That(grip.Held, Is.Null, "the new session has no signals yet");
+
+        Close();
+        Assert.That((grip.Held, grip.Fault), Is.EqualTo(("box", (string)null)));
+    }
 }

@@ -25,7 +25,10 @@ public class PlayedGripperTests
         var gripper = Below<VirtualGripper>("Virtual Gripper", _played.Rig.transform);
         var lost = Below<FrameProbe>("Left", gripper.transform).transform;
         var kept = Below<FrameProbe>("Right", gripper.transform).transform;
-        gripper.With("_fingers", new List<GripperFinger> { new("gripper_finger_joint_l", lost), new("gripper_finger_joint_r", kept) });
+        gripper.With("_fingers", new List<GripperFinger>
+        {
+            new("gripper_finger_joint_l", lost), new("gripper_finger_joint_l", null), new("gripper_finger_joint_r", kept),
+        });
         _played.Play();
 
         UnityEngine.Object.Destroy(lost.gameObject);

@@ -245,4 +245,17 @@ public class PlayedNamespaceTests : PlayedParts
         signal.gameObject.SetActive(false);
         Assert.That((FaultsNow(), parts.Summary), Is.EqualTo(("", "1 current")));
     }
+
+    // The panel states the problem of the clock once, and not in a row of each robot.
+    [Test]
+    public void Rig_WithNamespaceAndClockNotSynchronised_HasNoRowOfItsOwn()
+    {
+        Second(RobotFiles.LoadText("youbot"));
+        var joints = RobotFiles.Load("youbot").MovingJoints.Select(joint => joint.Name).ToArray();
+        _cell.IsSyncUp = false;
+        Run(1, t => _session.Session.Listener.Received(
+            new JointStateMessage(At(t), joints, joints.Select(_ => 0.003).ToArray()), HeadsetTime.FromSeconds(1000 + t + Latency), "arm2"));
+
+        Assert.That((FaultsNow(), _session.Parts.Summary), Is.EqualTo(("", StatusMessages.NotCurrent(1))));
+    }
 }

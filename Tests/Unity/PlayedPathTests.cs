@@ -199,4 +199,30 @@ public class PlayedPathTests : PlayedParts
 
         Assert.That((_session.Robot, line.enabled, path.DrawnSeconds), Is.EqualTo(((RobotModel)null, false, 0f)));
     }
+
+    [Test]
+    public void PlannedPath_RigEnabledLater_DrawsThePathOfItsRobot()
+    {
+        var (rig, _, line) = NewPath();
+        rig.enabled = false;
+        Run(1);
+
+        rig.enabled = true;
+        Run(1);
+        SendPlan(_cell.Now, 3);
+        Run(0.2);
+
+        Assert.That(line.enabled, Is.True);
+    }
+
+    [Test]
+    public void PlannedPath_NoRig_IsLoggedAndHidden()
+    {
+        var path = Below<PlannedPath>("path", _session.transform);
+
+        Run(0.2);
+
+        Assert.That(_cell.Messages, Has.Exactly(1).Contains(ComponentMessages.PathWithoutRig("path")));
+        Assert.That((path.Fault, path.DrawnSeconds), Is.EqualTo((StatusMessages.NoSession, 0f)));
+    }
 }

@@ -260,4 +260,21 @@ public class PlayedStationaryObjectTests : PlayedParts
 
         Assert.That(Directory.GetFiles(_folder).Select(Path.GetFileName), Is.EqualTo(new[] { "stationary-objects-desk.json" }));
     }
+
+    [Test]
+    public void StationaryObject_FileCannotBeWritten_IsLoggedAndStaysPlaced()
+    {
+        Directory.CreateDirectory(Path.Combine(_folder, "stationary-objects.json"));
+        var fixture = Below<StationaryObject>("fixture", _session.transform);
+        Run(0.5);
+
+        fixture.BeginMove();
+        fixture.transform.position = new Vector3(7, 0, 0);
+        Run(0.1);
+        fixture.EndMove();
+        Run(0.1);
+
+        Assert.That(_cell.Player.Logs.Count(log => log.Type == LogType.Error), Is.EqualTo(1));
+        Assert.That((fixture.State, fixture.transform.position.x), Is.EqualTo((PoseState.Current, 7f)));
+    }
 }
