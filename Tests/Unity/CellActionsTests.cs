@@ -276,4 +276,20 @@ public sealed class CellActionsTests
 
         Assert.That(calls, Is.EqualTo(1));
     }
+
+    [Test]
+    public void SetOpacity_AppearanceAboveTheRig_FadesIt()
+    {
+        _cell.Dispose();
+        _cell = new PlayedCell();
+        _session = _cell.NewSession();
+        var appearance = PlayedRig.Below<PoseAppearance>("Look", _session.transform);
+        PlayedRig.Below<RobotRig>("Robot", appearance.transform);
+        _actions = _session.gameObject.AddComponent<CellActions>();
+        _session.gameObject.SetActive(true);
+
+        _actions.SetOpacity(0.25f);
+
+        Assert.That((appearance.Opacity, _actions.Opacity), Is.EqualTo((0.25f, 0.25f)));
+    }
 }

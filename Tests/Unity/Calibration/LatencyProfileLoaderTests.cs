@@ -148,7 +148,7 @@ public sealed class LatencyProfileLoaderTests
         _cell.Run(2, _session);
 
         Assert.That(before, Is.EqualTo(51), "the rate is not compared while it is unknown");
-        Assert.That(VisuMs, Is.EqualTo(40));
+        Assert.That((VisuMs, _loader.Profile), Is.EqualTo((40.0, (LatencyProfile)null)));
         Assert.That(_loader.Problem, Does.EndWith(ConditionMessages.OtherRate("60", "90")));
     }
 

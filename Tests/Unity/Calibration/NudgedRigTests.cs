@@ -96,4 +96,18 @@ public class NudgedRigTests : PlayedParts
 
     RobotRig NewSecond() => Below<RobotRig>("Second", _session.transform).With("_robotNamespace", "arm2")
         .With("_description", RobotDescriptionAsset.Create("second", RobotFiles.LoadText("youbot")));
+
+    [TestCase(NudgeAxis.X, "1 0 0")]
+    [TestCase(NudgeAxis.Y, "0 1 0")]
+    [TestCase(NudgeAxis.Z, "0 0 1")]
+    public void SpeedMmPerS_AxisOfTheMotion_IsTheSpeedAlongIt(NudgeAxis axis, string along)
+    {
+        var rig = Second(LatencyNudgeTests.Gantry.Replace("1 0 0", along));
+        var nudge = _session.gameObject.AddComponent<LatencyNudge>().With("_rig", rig).With("_axis", axis);
+
+        Run(3, t => _session.Session.Listener.Received(
+            new JointStateMessage(At(t), ["x"], [0.1 * t]), HeadsetTime.FromSeconds(1000 + t + Latency), "arm2"));
+
+        Assert.That(nudge.SpeedMmPerS, Is.EqualTo(100).Within(0.1));
+    }
 }

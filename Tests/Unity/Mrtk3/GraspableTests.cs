@@ -82,6 +82,18 @@ public sealed class GraspableTests
     }
 
     [Test]
+    public void Marker_GraspedWhileDisabled_DoesNotMove([Values] bool isByHandle)
+    {
+        var marker = Marker(withHandles: true);
+        _object.GetComponent<GraspableMarker>().enabled = false;
+
+        if (isByHandle) _object.GetComponent<BoundsControl>().ManipulationStarted.Invoke(new SelectEnterEventArgs());
+        else _manipulator.Enter();
+
+        Assert.That(marker.IsMoving, Is.False);
+    }
+
+    [Test]
     public void Marker_MissingReferences_LogsThem()
     {
         new GameObject("Lone").AddComponent<GraspableMarker>();

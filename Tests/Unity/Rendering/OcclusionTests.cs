@@ -91,4 +91,18 @@ public sealed class OcclusionTests
         Assert.That(OccludersOf(added), Is.Not.Empty.And.All.Matches<MeshRenderer>(r => r.enabled));
         Assert.That(off, Is.Zero);
     }
+
+    [Test]
+    public void ToggleOcclusion_OccluderThatTheUserDisabled_StaysDisabled()
+    {
+        var own = Occluders.First();
+        own.enabled = false;
+
+        _actions.ToggleOcclusion();
+        var off = (_actions.IsOcclusionOn, Occluders.Count(r => r.enabled));
+        _actions.ToggleOcclusion();
+
+        Assert.That(off, Is.EqualTo((false, 0)));
+        Assert.That((_actions.IsOcclusionOn, Occluders.Count(r => !r.enabled), own.enabled), Is.EqualTo((true, 1, false)));
+    }
 }

@@ -54,4 +54,14 @@ public sealed class HeadsetNameTests
 
         Assert.That(HeadsetName.Of(" left door "), Is.EqualTo("left door"));
     }
+
+    // Half of a character that needs two code units is no text.
+    [TestCase(63, 63)]
+    [TestCase(62, 64)]
+    public void Of_LongNameWithACharacterAtTheLimit_KeepsItWholeOrDropsIt(int before, int expected)
+    {
+        var name = new string('x', before) + "\U0001F916" + "yy";
+
+        Assert.That(HeadsetName.Of(name), Is.EqualTo(name[..expected]));
+    }
 }

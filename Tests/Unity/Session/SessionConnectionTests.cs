@@ -200,4 +200,19 @@ public class SessionConnectionTests
             return session.Session != null && condition();
         }, what);
     }
+
+    // Each new connection reports the mismatch again.
+    [Test]
+    public void VersionMismatch_ReportedByTwoConnections_IsLoggedOnce()
+    {
+        var session = _cell.Play();
+
+        for (var i = 0; i < 2; i++)
+        {
+            session.Session.Listener.VersionReceived("9.9.9");
+            _cell.Run(0.1, session);
+        }
+
+        Assert.That(_cell.Messages, Has.Exactly(1).EndsWith(NowposeVersion.MismatchOf("9.9.9", "the gateway", "this headset")));
+    }
 }
