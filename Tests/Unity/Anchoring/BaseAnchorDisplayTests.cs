@@ -256,4 +256,18 @@ public class BaseAnchorDisplayTests
         Assert.That(rows, Has.Some.Match($@"^{InspectorTexts.Sightings}: 1[12]\d; {InspectorTexts.Ignored("1 " + old)}$"));
         Assert.That(rows, Has.Some.Match($@"^{InspectorTexts.OffBy}: 0\.\d\d mm, 0\.\d\d°$"));
     }
+
+    // The distance between the two markers differs from that of the fields, so one of the three is wrong.
+    [Test]
+    public void Markers_InConflict_AreLoggedOnce()
+    {
+        _played.Markers.Markers["b"] = InBase * RigidTransform.FromXyzRpy(0.2, 0, 0, 0, 0, 0);
+        _played.Play(Marker, new AnchorMarker("b", new Vector3(0.6f, 0, 0), Vector3.zero));
+
+        _played.Cell.Run(4, _played.Session);
+
+        var conflict = _played.Anchor.Tracker.Conflict;
+        Assert.That(conflict, Is.Not.Null);
+        Assert.That(_played.Cell.Player.Logs.Count(log => log.Type == LogType.Warning && log.Message.EndsWith(_played.Anchor.Words)), Is.EqualTo(1));
+    }
 }

@@ -127,4 +127,18 @@ public class SeveralBasesTests
 
         Assert.That(moved, Is.EqualTo(1));
     }
+
+    [Test]
+    public void LockBase_BaseAssigned_SearchesForThatBaseOnly()
+    {
+        var other = PlayedRig.Below<BaseAnchor>("Other base", _played.Session.transform)
+            .With("_markers", new List<AnchorMarker> { new("b", Vector3.zero, Vector3.zero) });
+        _played.Markers.Markers["b"] = RigidTransform.Identity;
+        var actions = _played.Session.gameObject.AddComponent<CellActions>().With("_anchor", other);
+        _played.PlayLocked();
+
+        actions.LockBase();
+
+        Assert.That((_played.Anchor.State, other.State), Is.EqualTo((BaseAnchorState.Locked, BaseAnchorState.Searching)));
+    }
 }

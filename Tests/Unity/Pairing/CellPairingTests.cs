@@ -1,6 +1,7 @@
 using Nowpose.Anchoring;
 using Nowpose.Messages;
 using Nowpose.Network;
+using Nowpose.Pairing;
 using Nowpose.Unity;
 using Nowpose.Unity.Messages;
 using NUnit.Framework;
@@ -227,5 +228,47 @@ public class CellPairingTests
         new GameObject("Alone").AddComponent<CellPairing>();
 
         Assert.That(_played.Cell.Messages, Has.Some.Contains(ComponentMessages.NoSession));
+    }
+
+    [Test]
+    public void Code_SecondOfThePairedCell_IsAlsoAMarkerOfTheBase()
+    {
+        var second = new CellCode("desk", "127.0.0.1", null, MarkerOffset.Parse("0.7,0,0", ""), 0.1, 1, 1).Text;
+        _played.Shown.Texts.Add(Desk);
+        _played.Frames();
+        _played.Pairing.Accept();
+        _played.Frames();
+        Assert.That(_played.Anchor.Tracker.Has(second), Is.False);
+
+        _played.Shown.Texts.Add(second);
+        _played.Frames();
+
+        Assert.That((_played.Anchor.Tracker.Has(Desk), _played.Anchor.Tracker.Has(second)), Is.EqualTo((true, true)));
+    }
+
+    [Test]
+    public void Forget_PairedCell_RestoresTheSettingsUntilItIsPairedAgain()
+    {
+        var asset = ScriptableObject.CreateInstance<SessionSettingsAsset>();
+        _played.Session.With("_settings", asset);
+        var port = asset.ToSettings().Connection.SyncPort;
+        int Port() => _played.Session.Settings.Connection.SyncPort;
+        void Pair()
+        {
+            // A text that is repeated at once is the code that is still in view.
+            _played.Frames(300);
+            _played.Pairing.ReadCode(Desk);
+            _played.Frames();
+            _played.Pairing.Accept();
+            _played.Frames();
+        }
+        Pair();
+
+        _played.Pairing.Forget();
+        _played.Frames();
+        Assert.That((Port(), _played.Session.IsConnecting), Is.EqualTo((port, false)));
+
+        Pair();
+        Assert.That((Port(), _played.Session.IsConnecting), Is.EqualTo((1, true)));
     }
 }
