@@ -136,6 +136,8 @@ public sealed class TrackedImageMarkersTests
     public void Read_AfterWarmUp_AllocatesNothing()
     {
         Report(TrackingState.Tracking);
+        // The second reading is the first that compares a pose.
+        ReadOne();
         var markers = new List<MarkerSighting>(4);
 
         var before = GC.GetAllocatedBytesForCurrentThread();
@@ -184,5 +186,28 @@ public sealed class TrackedImageMarkersTests
 
         var warning = ComponentMessages.Of("tracked images", "Outside", ComponentMessages.SourceOutsideSession);
         Assert.That(_cell.Messages.Count(message => message.Contains(warning)), Is.EqualTo(hasAnchor ? 0 : 1));
+    }
+
+    [Test]
+    public void Read_PoseChangesWhileTrackingIsLimited_HasTheTimeOfItsLastTracking()
+    {
+        var tracked = Report(TrackingState.Tracking);
+        _cell.Run(1, _session);
+        var moved = _origin.InSession(Centre + Vector3.up, Turned);
+        _images.Report(new XRTrackedImage(Id, "cell-7", moved, new Vector2(0.2f, 0.3f), TrackingState.Limited));
+
+        Assert.That(ReadOne().LastSeen, Is.EqualTo(tracked.LastSeen));
+    }
+
+    [Test]
+    public void Read_ComponentDisabled_ListsNoImages()
+    {
+        Report(TrackingState.Tracking);
+        _markers.enabled = false;
+        var markers = new List<MarkerSighting>();
+
+        _markers.Read(markers);
+
+        Assert.That(markers, Is.Empty);
     }
 }
