@@ -9,15 +9,17 @@ import { fakeWebGl } from './fakeWebGl.mjs';
 // An import would take 0.2 s longer in each file, because Node.js analyses a CommonJS package that is imported.
 const { chromium } = createRequire(import.meta.url)('playwright-core');
 
-// Flags with which the processor renders WebGL, for machines without a graphics card. With these flags, plots are drawn more slowly and with lower
-// quality.
-export const WEBGL = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-accelerated-2d-canvas'];
+// Flags with which the processor renders WebGL, for machines without a graphics card. The page around a canvas is drawn without it, which is faster.
+export const WEBGL = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-accelerated-2d-canvas',
+  '--disable-gpu-compositing'];
 export const NO_WEBGL = ['--disable-gpu', '--disable-3d-apis'];
 
 // With a single renderer process per context, a page uses the scripts that the process has compiled for earlier pages.
 const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
   '--disable-component-update', '--disable-sync', '--renderer-process-limit=1'];
 const POLLING_MS = 50;
+// Chromium warns of the time in which it copies a picture of WebGL into the page.
+const COPY_WARNING = /GL Driver Message .*ReadPixels/;
 const VIEWPORT = { width: 1280, height: 800 };
 // Prefers the headless shell, because the full browser starts window processes for each page although no window is visible.
 const NAMES = ['chromium-headless-shell', 'chromium', 'chromium-browser', 'google-chrome', 'chrome'];
@@ -41,6 +43,13 @@ function executable() {
 /** Inserts the data into a page, as Pages.Report.Render and Pages.Figures.Render do. */
 export function render(data, name = 'report') {
   return read(name).replace('__REPORT_DATA__', () => JSON.stringify(data).replaceAll('<', '\\u003c'));
+}
+
+/** Records exceptions and console messages other than logs in `page.complaints`. */
+export function recordErrors(page) {
+  page.complaints = [];
+  page.on('console', m => m.type() !== 'log' && !COPY_WARNING.test(m.text()) && page.complaints.push(`console ${m.type()}: ${m.text()}`));
+  page.on('pageerror', e => page.complaints.push(`exception: ${e.message}`));
 }
 
 export class Browser {
@@ -104,9 +113,7 @@ export class Browser {
   async open(name, data, { fragment = '', ...options } = {}) {
     const address = this.write(render(data, name), name) + fragment;
     const page = await this.newPage(this.blank ??= this.write('', 'blank'), options);
-    page.complaints = [];
-    page.on('console', m => m.type() !== 'log' && page.complaints.push(`console ${m.type()}: ${m.text()}`));
-    page.on('pageerror', e => page.complaints.push(`exception: ${e.message}`));
+    recordErrors(page);
     page.on('request', r => r.url() !== address.replace(/#.*/, '') && !r.url().startsWith('data:') && page.complaints.push(`request: ${r.url()}`));
     page.on('dialog', d => { page.complaints.push(`dialog: ${d.message()}`); return d.dismiss(); });
     await page.goto(address);

@@ -1,6 +1,6 @@
 // Shared by the tests of the operations page: Chromium and a fake gateway.
 import { after, afterEach, before, beforeEach } from 'node:test';
-import { NO_WEBGL, WEBGL } from '../browser.mjs';
+import { NO_WEBGL, recordErrors, WEBGL } from '../browser.mjs';
 import { FakeGateway } from '../fakeGateway.mjs';
 import { messages } from '../messages.mjs';
 import { browserWith, closeLater } from '../pages.mjs';
@@ -31,9 +31,7 @@ export async function open({ viewport = { width: 1280, height: 720 }, graphics =
   const page = closeLater(await browser.newPage(new URL('/nothing', gateway.address).href, { viewport, hasFakeWebGl: isFake, ...options }));
   await page.context().clearCookies();
   page.setDefaultTimeout(60_000);
-  page.complaints = [];
-  page.on('console', m => m.type() !== 'log' && page.complaints.push(`console ${m.type()}: ${m.text()}`));
-  page.on('pageerror', e => page.complaints.push(`exception: ${e.message}`));
+  recordErrors(page);
   const own = new URL(gateway.address).origin;
   page.on('request', r => !r.url().startsWith(own) && !r.url().startsWith('data:') && page.complaints.push(`request: ${r.url()}`));
   page.on('websocket', w => w.url() !== own.replace('http', 'ws') + '/' && page.complaints.push(`websocket: ${w.url()}`));
