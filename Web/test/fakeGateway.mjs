@@ -95,6 +95,8 @@ export class FakeGateway {
   displayedRobot = '';
   token = null;
   isSilent = false;
+  /** Whether joint positions and poses are published. Only the view of the robot needs them, and each message takes processor time. */
+  isPublishing = true;
 
   /** Position of the moving base of the robot; null if no pose of the base is published. */
   base = null;
@@ -173,7 +175,7 @@ export class FakeGateway {
   }
 
   tick() {
-    if (this.isSilent) return;
+    if (this.isSilent || !this.isPublishing) return;
     const t = this.now - 0.07, names = this.sets[this.ticks++ % this.sets.length], truth = swing(this.pace * t, this.rest);
     if (names) this.send('/joint_states', jointState('/joint_states', t, names.map(name => truth[JOINTS.indexOf(name)]), '', names));
     if (this.base) this.send('/tf', transforms(t, [['world', 'arm_link_0', this.base]]));

@@ -8,6 +8,7 @@ const { gatewayReasons, operationsMessages, robotMessages } = messages;
 
 describe('the log-in', () => {
   it('is needed if the gateway requires a token, and then all data are shown', async () => {
+    gateway.isPublishing = true;
     gateway.token = 'open-sesame';
     const page = await open({}, false);
     await page.waitForSelector('#login', { state: 'visible' });

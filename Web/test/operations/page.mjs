@@ -9,10 +9,10 @@ import { browserWith, closeLater } from '../pages.mjs';
 export let gateway;
 let hasFakeWebGl = false;
 
-beforeEach(async () => { gateway = await FakeGateway.start(); });
+beforeEach(async () => { gateway = Object.assign(await FakeGateway.start(), { isPublishing: hasFakeWebGl }); });
 afterEach(() => gateway.stop());
 
-/** Runs the tests of the enclosing block with a WebGL that draws nothing. The other tests run without WebGL. */
+/** Runs the tests of the enclosing block with joint positions and a WebGL that draws nothing. The other tests run without both. */
 export function withGraphics() {
   before(() => { hasFakeWebGl = true; });
   after(() => { hasFakeWebGl = false; });

@@ -222,6 +222,7 @@ describe('the shown state', () => {
   });
 
   it('changes to another headset with the keyboard', async () => {
+    gateway.isPublishing = true;
     gateway.state.headsets[1].seen_s_ago = 0.3;
     const page = await open();
 
@@ -276,6 +277,7 @@ describe('the shown state', () => {
   });
 
   it('shows the words after a name in their order', async () => {
+    gateway.isPublishing = true;
     gateway.state.headsets[0].name = 'left\u202edoor';
     gateway.turned = null;
     const page = await open();

@@ -2,12 +2,13 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { messages } from '../../messages.mjs';
-import { becomes, open, PICTURES, showsToolError } from '../page.mjs';
+import { becomes, gateway, open, PICTURES, showsToolError } from '../page.mjs';
 
 const { robotMessages } = messages;
 
 describe('the graphics of the browser', () => {
   it('may fail at the start, and the page shows everything else', async () => {
+    gateway.isPublishing = true;
     const page = await open(PICTURES);
     await page.addInitScript(() => {
       const { getContext } = HTMLCanvasElement.prototype;
@@ -25,6 +26,7 @@ describe('the graphics of the browser', () => {
   });
 
   it('are stated to be lost until they are restored', async () => {
+    gateway.isPublishing = true;
     const page = await open(PICTURES);
     await showsToolError(page);
     const words = page.getByText(robotMessages.interrupted);

@@ -242,6 +242,7 @@ describe('the robot', () => {
 
 describe('the robot without WebGL', () => {
   it('leaves the queue lengths of poses to the gateway, whose default has room for all objects, and requests no throttle rate', async () => {
+    gateway.isPublishing = true;
     gateway.robots = ['arm2'];
     gateway.state.joints.push({ ...gateway.state.joints[0], name: 'arm2/elbow' });
     await showsToolError(await open());
@@ -252,6 +253,7 @@ describe('the robot without WebGL', () => {
   });
 
   it('needs no animation frames', async () => {
+    gateway.isPublishing = true;
     const page = await open();
     await page.evaluate(() => {
       window.requests = 0;
@@ -266,6 +268,7 @@ describe('the robot without WebGL', () => {
   });
 
   it('shows one message and the distances', async () => {
+    gateway.isPublishing = true;
     const page = await open();
     await becomes(page, '.robot .missing', robotMessages.noWebGl);
     await showsToolError(page);
