@@ -216,6 +216,18 @@ public class PlayedPathTests : PlayedParts
     }
 
     [Test]
+    public void PlannedPath_RigDisabled_StatesIt()
+    {
+        var rig = Below<RobotRig>("rig", _session.transform);
+        var path = Below<PlannedPath>("path", rig.transform);
+        rig.enabled = false;
+
+        Run(0.2);
+
+        Assert.That((path.Fault, path.DrawnSeconds), Is.EqualTo((PoseMessages.RigDisabled, 0f)));
+    }
+
+    [Test]
     public void PlannedPath_NoRig_IsLoggedAndHidden()
     {
         var path = Below<PlannedPath>("path", _session.transform);
@@ -223,6 +235,6 @@ public class PlayedPathTests : PlayedParts
         Run(0.2);
 
         Assert.That(_cell.Messages, Has.Exactly(1).Contains(ComponentMessages.PathWithoutRig("path")));
-        Assert.That((path.Fault, path.DrawnSeconds), Is.EqualTo((StatusMessages.NoSession, 0f)));
+        Assert.That((path.Fault, path.DrawnSeconds), Is.EqualTo((StatusMessages.NoRig, 0f)));
     }
 }

@@ -44,7 +44,9 @@ namespace Nowpose.Unity
         public float DrawnSeconds { get; private set; }
 
         /// <summary>Reason why the line is hidden, in one line; null while it is drawn.</summary>
-        public string Fault => isActiveAndEnabled ? _fault : ObjectMessages.Disabled("planned path", name);
+        public string Fault =>
+            !isActiveAndEnabled ? ObjectMessages.Disabled("planned path", name) : _source == null ? StatusMessages.NoRig
+                : !_source.isActiveAndEnabled ? PoseMessages.RigDisabled : _fault;
 
         void OnEnable()
         {
