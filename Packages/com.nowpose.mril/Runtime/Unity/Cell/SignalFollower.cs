@@ -133,10 +133,18 @@ namespace Nowpose.Unity.Cell
             Raise(_changed, signal);
         }
 
+        // A listener of one component must not keep a change from the others, which would show an old state as current.
         void Raise<T>(Action<T> listener, T value)
         {
             IsRaising = true;
-            listener(value);
+            try
+            {
+                listener(value);
+            }
+            catch (Exception fault)
+            {
+                Debug.LogException(fault, _source);
+            }
             IsRaising = false;
         }
 
