@@ -263,28 +263,4 @@ public sealed class PoseOwnMaterialTests
 
         Assert.That(allocated, Is.EqualTo(0));
     }
-
-    // The colour of the former material in the property block would replace that of the new one.
-    [TestCase(false, false)]
-    [TestCase(true, false)]
-    [TestCase(true, true)]
-    public void Show_OpaqueMaterialAssignedWhileNotCurrent_HasItsOwnOrTheUsersColour(bool hasBlock, bool hasColour)
-    {
-        var id = Shader.PropertyToID("_Color");
-        var block = new MaterialPropertyBlock();
-        if (hasBlock) block.SetFloat("_Glow", 1);
-        if (hasColour) block.SetColor(id, Color.red);
-        if (hasBlock) _played.Tool.SetPropertyBlock(block);
-        _played.Tool.sharedMaterial = Blended("_Color", 0.8f);
-        _played.BeCurrent();
-        _played.Hold();
-
-        _played.Tool.sharedMaterials = Of(Sort.OpaqueWithColour);
-        _played.Cell.IsPlantUp = true;
-        _played.Run(1);
-
-        _played.Tool.GetPropertyBlock(block);
-        var seen = block.HasColor(id) ? block.GetColor(id) : _played.Tool.sharedMaterial.GetColor(id);
-        Assert.That((block.isEmpty, seen), Is.EqualTo((!hasBlock, hasColour ? Color.red : Color.white)));
-    }
 }

@@ -270,7 +270,7 @@ namespace Nowpose.Unity.Rendering
             }
             _isAlphaSet = fade > 0;
             var colour = _ownColour ?? _renderer.sharedMaterial.GetColor(_material.Colour);
-            _leftColour = _ownColour.HasValue ? (Color?)null : colour;
+            _leftColour = _hadBlock && !_ownColour.HasValue ? colour : (Color?)null;
             colour.a *= 1 - PoseLook.OpacityLoss * fade;
             _block.SetColor(_material.Colour, colour);
             // Removes the whole block if the part had none: a colour in the block would override later changes of the material's colour.
@@ -283,8 +283,9 @@ namespace Nowpose.Unity.Rendering
             _isAlphaSet = false;
             _renderer.GetPropertyBlock(_block);
             var material = _renderer.sharedMaterial;
-            if (_ownColour is Color own) _block.SetColor(_material.Colour, own);
-            else if (material != null && material.HasProperty(_material.Colour)) _block.SetColor(_material.Colour, material.GetColor(_material.Colour));
+            var colour = _ownColour ?? (material != null && material.HasProperty(_material.Colour) ? material.GetColor(_material.Colour) : (Color?)null);
+            if (colour.HasValue) _block.SetColor(_material.Colour, colour.Value);
+            _leftColour = _hadBlock && !_ownColour.HasValue ? colour : null;
             _renderer.SetPropertyBlock(_hadBlock ? _block : null);
         }
 
