@@ -44,16 +44,17 @@ sealed class SourceStamps
     /// <param name="isCorrected">Whether one clock has been corrected relative to the other. Current stamps are then not a valid reference.</param>
     public StampCounts Read(long now, bool isCorrected)
     {
-        var recent = Array.FindAll(_seconds, second => second.Samples > 0 && second.Number > now - StampWatch.Seconds);
+        Second[] recent =
+            [.. _seconds.Where(second => second.Samples > 0 && second.Number > now - StampWatch.Seconds).OrderBy(second => second.Number)];
         var isLasting = now - _first >= StampWatch.Seconds;
         if (!isCorrected && recent.Length == StampWatch.Seconds && recent.All(second => second.IsPlausible)
             && MinAges.Agree(recent.Select(second => second.MinAges)))
             Usual ??= recent.Select(second => second.MinAges).Aggregate((one, other) => one.With(other));
-        var shift = Usual is { } usual && recent.Length > 0 ? recent.MaxBy(second => second.Number).MinAges.ShiftWithOther(usual) : TimeSpan.Zero;
+        var shift = Usual is { } usual && recent.Length > 0 ? recent[^1].MinAges.ShiftWithOther(usual) : TimeSpan.Zero;
         return new StampCounts(
             recent.Sum(second => second.Samples), recent.Sum(second => second.Refused), recent.Sum(second => second.OnOther),
             recent.Sum(second => second.Ahead), AreOld(Array.FindAll(recent, second => second.Number < now)), isLasting, shift,
-            recent.OrderBy(second => second.Number).LastOrDefault(second => second.Age != TimeSpan.Zero).Age);
+            recent.LastOrDefault(second => second.Age != TimeSpan.Zero).Age);
     }
 
     // Each second must have a newer stamp among its old ones: samples that arrive late once, after a pause, have the stamps of one second only, and a
@@ -61,7 +62,7 @@ sealed class SourceStamps
     static bool AreOld(Second[] complete)
     {
         var newest = default(ControlTime);
-        foreach (var second in complete.OrderBy(second => second.Number))
+        foreach (var second in complete)
         {
             if (2 * second.Behind <= second.Samples || second.NewestBehind <= newest) return false;
             newest = second.NewestBehind;

@@ -80,14 +80,14 @@ static class EventTexts
     public const string Future = "sends time stamps in the future";
 
     public static string FutureBy(string by) => $"they are {by} ahead of the control clock";
-    public static string SourceInFuture(string source) => $"source {source} sends time stamps in the future";
 
     public const string TooOld = "sends samples that are too old to be displayed";
 
     public static string TooOldBy(string by) =>
         $"their time stamps are {by} behind the control clock, so headsets with default settings show no current pose";
 
-    public static string SourceTooOld(string source) => $"source {source} {TooOld}";
+    /// <param name="what">What the source does: <see cref="Future"/> or <see cref="TooOld"/>.</param>
+    public static string SourceDoes(string source, string what) => $"source {source} {what}";
 
     public const string NoSource = "no adapter has reported a joint and no sample has arrived";
     public const string SourceMissing = "a source of joint positions is missing";

@@ -58,19 +58,15 @@ static class ClockConditions
             Remedy = EventRemedies.ClockNames,
         });
 
-    static IEnumerable<Condition> OfStamps(ServedClock clock)
+    static IEnumerable<Condition> OfStamps(ServedClock clock) =>
+    [
+        .. clock.Stamps.Ahead.Select(one => OfSource(one.Source, EventTexts.Future, EventTexts.FutureBy(one.By), StampMessages.SourceRemedy)),
+        .. clock.Stamps.Behind.Select(one => OfSource(one.Source, EventTexts.TooOld, EventTexts.TooOldBy(one.By), StampMessages.LateSourceRemedy)),
+    ];
+
+    static Condition OfSource(string source, string what, string by, string remedy) => new("source", source, what, by, Level.Warning)
     {
-        foreach (var (source, by) in clock.Stamps.Ahead)
-            yield return new("source", source, EventTexts.Future, EventTexts.FutureBy(by), Level.Warning)
-            {
-                Headline = EventTexts.SourceInFuture(source),
-                Remedy = StampMessages.SourceRemedy,
-            };
-        foreach (var (source, by) in clock.Stamps.Behind)
-            yield return new("source", source, EventTexts.TooOld, EventTexts.TooOldBy(by), Level.Warning)
-            {
-                Headline = EventTexts.SourceTooOld(source),
-                Remedy = StampMessages.LateSourceRemedy,
-            };
-    }
+        Headline = EventTexts.SourceDoes(source, what),
+        Remedy = remedy,
+    };
 }

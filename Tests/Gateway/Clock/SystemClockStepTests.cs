@@ -224,8 +224,8 @@ public class SystemClockStepTests
         Assert.That((await GetAsync("/readyz")).Text, Is.EqualTo("ready\n"));
         const string source = "rosbridge 127[.]0[.]0[.]1";
         Assert.That(Status().GetProperty("text").GetString(), Does.Match(seconds > 0
-            ? $"^{EventTexts.SourceInFuture(source)}: {EventTexts.FutureBy("[0-9]+ ms")}[.] {StampMessages.SourceRemedy}$"
-            : $"^{EventTexts.SourceTooOld(source)}: {EventTexts.TooOldBy("[0-9.]+ s")}[.] {StampMessages.LateSourceRemedy}$"));
+            ? $"^{EventTexts.SourceDoes(source, EventTexts.Future)}: {EventTexts.FutureBy("[0-9]+ ms")}[.] {StampMessages.SourceRemedy}$"
+            : $"^{EventTexts.SourceDoes(source, EventTexts.TooOld)}: {EventTexts.TooOldBy("[0-9.]+ s")}[.] {StampMessages.LateSourceRemedy}$"));
     }
 
     /// <summary>Simulates the system's clock and counter. A test can correct the clock and advance the counter.</summary>
