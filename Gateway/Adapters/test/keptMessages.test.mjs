@@ -1,6 +1,7 @@
 // Tests the repetition of messages that a gateway has refused.
 import { describe, it } from 'node:test';
 import assert from 'node:assert/strict';
+import { newLink, runLink } from './links.mjs';
 import { parts } from './parts.mjs';
 import { until } from './program.mjs';
 import { RosbridgeDouble } from './rosbridge.mjs';
@@ -9,17 +10,17 @@ import { VirtualTime } from './virtualTime.mjs';
 /** The set-points of a robot without a namespace and of one with a namespace. */
 const PLANS = ['/joint_trajectory', '/arm1/joint_trajectory'];
 
-const { GatewayLink, KeptMessages, Log, SetPoints } = await parts('gateway/link', 'gateway/keptMessages', 'log', 'ros/setPoints');
+const { KeptMessages, SetPoints } = await parts('gateway/keptMessages', 'ros/setPoints');
 
 describe('kept messages', () => {
   it('StationaryFrameOrSetPoints_RefusedByTheGateway_AreSentAgainUntilAccepted', async t => {
-    const time = VirtualTime.ofProcess(t), bridge = await RosbridgeDouble.start(t), ending = new AbortController(), refusals = [];
-    const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}), 'gateway', { refused: status => refusals.push(status) });
+    const time = VirtualTime.ofProcess(t), bridge = await RosbridgeDouble.start(t), refusals = [];
+    const link = newLink(bridge.url, { refused: status => refusals.push(status) });
     for (const key of ['fixture', 'rail']) link.publishKept('/tf_static', { key }, key);
     for (const topic of PLANS) link.publishKept(topic, {});
     link.publishKept('/robot_description', { data: '<robot/>' });
     link.forgetKept('rail');
-    const running = link.run(ending.signal);
+    runLink(t, link);
     const sent = () => bridge.published('/tf_static').length;
     await until(() => sent() === 1 && bridge.published('/robot_description').length === 1, 'the first messages');
 
@@ -42,8 +43,6 @@ describe('kept messages', () => {
     assert.deepEqual([sent(), bridge.published('/robot_description').length], [3, 1]);
     // Only a gateway that is still measuring the clock accepts the same set-points later.
     assert.deepEqual(PLANS.map(topic => bridge.published(topic).length), [1, 2]);
-    ending.abort();
-    await running;
   });
 
   it('SetPoints_RefusedAndThenReplaced_AreNotSentAgain', () => {

@@ -8,6 +8,7 @@ import { before, describe, it } from 'node:test';
 import { identity } from './opcua/identity.mjs';
 import { configuration } from './rtde/cell.mjs';
 import { freePort } from './freePort.mjs';
+import { newLink, runLink } from './links.mjs';
 import { parts } from './parts.mjs';
 import { adapters, start, startProcess, until } from './program.mjs';
 import { RosbridgeDouble } from './rosbridge.mjs';
@@ -16,7 +17,7 @@ import { ANY, like, messages } from './messages.mjs';
 
 const { gatewayMessages, logMessages } = messages;
 
-const { SendQueue, Log, GatewayLink, inWords } = await parts('gateway/sendQueue', 'log', 'gateway/link', 'gateway/reasons');
+const { SendQueue, Log, inWords } = await parts('gateway/sendQueue', 'log', 'gateway/reasons');
 const TOKEN = 'a-token-of-a-source';
 
 /** Starts an adapter whose plant does not respond. */
@@ -28,14 +29,9 @@ async function adapter(test, url, { launch = start, ...options } = {}) {
 /** Starts a link to a test double of a gateway. `prepare` receives the link before it connects. */
 async function linkWith(test, prepare, events) {
   VirtualTime.ofProcess(test);
-  const bridge = await RosbridgeDouble.start(test), ending = new AbortController();
-  const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}), 'gateway', events);
+  const bridge = await RosbridgeDouble.start(test), link = newLink(bridge.url, events);
   prepare(link);
-  const running = link.run(ending.signal);
-  test.after(() => {
-    ending.abort();
-    return running;
-  });
+  runLink(test, link);
   return bridge;
 }
 

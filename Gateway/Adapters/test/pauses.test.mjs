@@ -5,13 +5,14 @@ import { once } from 'node:events';
 import { connect, createServer } from 'node:net';
 import { describe, it } from 'node:test';
 import { freePort } from './freePort.mjs';
+import { newLink, runLink } from './links.mjs';
 import { messages } from './messages.mjs';
 import { parts } from './parts.mjs';
 import { until } from './program.mjs';
 import { RosbridgeDouble } from './rosbridge.mjs';
 import { VirtualTime } from './virtualTime.mjs';
 
-const { afterArrivals, pause, GatewayLink, Log } = await parts('sockets', 'backoff', 'gateway/link', 'log');
+const { afterArrivals, pause } = await parts('sockets', 'backoff');
 
 const WAIT_MS = 5;
 
@@ -53,14 +54,8 @@ describe('a pause of the process', () => {
 
   /** Runs a link to a gateway in virtual time. `reasons` receives the reasons of disconnections. */
   function linkTo(t, url) {
-    const reasons = [], ending = new AbortController(), address = { url, token: null, pin: null };
-    const link = new GatewayLink(address, new Log('x', [], () => {}), 'gateway', { away: reason => reasons.push(reason) });
-    const running = link.run(ending.signal);
-    t.after(() => {
-      ending.abort();
-      return running;
-    });
-    return { link, reasons, ending, running };
+    const reasons = [], link = newLink(url, { away: reason => reasons.push(reason) });
+    return { link, reasons, ...runLink(t, link) };
   }
 
   async function linked(t) {

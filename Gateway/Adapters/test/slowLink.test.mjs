@@ -1,11 +1,12 @@
 // Tests that a gateway that reads slowly receives the newest values of all signals.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
+import { newLink, runLink } from './links.mjs';
 import { parts } from './parts.mjs';
 import { until } from './program.mjs';
 import { nanoseconds, RosbridgeDouble } from './rosbridge.mjs';
 
-const { GatewayLink, Log, SendQueue, SignalSender } = await parts('gateway/link', 'log', 'gateway/sendQueue', 'cell/signalSender');
+const { SendQueue, SignalSender } = await parts('gateway/sendQueue', 'cell/signalSender');
 
 const S = 1_000_000_000n;
 /** A message that is much larger than the buffers of the kernel, together with a few thousand others. */
@@ -13,10 +14,10 @@ const LARGE = { data: 'x'.repeat(16 * 1024) };
 
 describe('link to a slow gateway', () => {
   it('Call_AnsweredAfterAReconnection_GetsNoResponseOnTheNewConnection', async t => {
-    const bridge = await RosbridgeDouble.start(t), ending = new AbortController();
-    const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {})), answers = [];
+    const bridge = await RosbridgeDouble.start(t);
+    const link = newLink(bridge.url), answers = [];
     link.offer('/time', 'nowpose/PlantTime', () => new Promise(resolve => answers.push(resolve)));
-    const running = link.run(ending.signal);
+    runLink(t, link);
     const call = async count => {
       await until(() => bridge.heard.filter(({ op }) => op === 'advertise_service').length === count, 'the offer');
       bridge.send({ op: 'call_service', id: 'time:1', service: '/time', args: {} });
@@ -32,15 +33,13 @@ describe('link to a slow gateway', () => {
 
     await until(() => bridge.heard.some(({ op }) => op === 'service_response'), 'the response');
     assert.deepEqual(bridge.heard.filter(({ op }) => op === 'service_response').map(({ values }) => values.of), ['the second connection']);
-    ending.abort();
-    await running;
   });
 
   it('Signals_ChangeWhileTheQueueOverflows_AllReachTheGatewayWithTheirNewestValues', async t => {
-    const bridge = await RosbridgeDouble.start(t), ending = new AbortController();
-    const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}));
+    const bridge = await RosbridgeDouble.start(t);
+    const link = newLink(bridge.url);
     const sender = new SignalSender({ isSettled: true }, link, () => {}, () => 0);
-    const running = link.run(ending.signal);
+    runLink(t, link);
     await until(() => link.isOpen && bridge.clients.length > 0, 'the link');
     const [client] = bridge.clients;
     client.pause();
@@ -59,14 +58,12 @@ describe('link to a slow gateway', () => {
 
     await until(() => bridge.published('/signals').length >= 2, 'the signals');
     assert.deepEqual(bridge.published('/signals').map(({ header, name, value }) => [name, value, nanoseconds(header.stamp)]), [[['closed'], [0], 2n * S], [['speed'], [0.5], S]]);
-    ending.abort();
-    await running;
   });
 
   it('SetPoints_ManyForASlowGateway_OnlyTheNewestWait', async t => {
-    const bridge = await RosbridgeDouble.start(t), ending = new AbortController();
-    const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}));
-    const running = link.run(ending.signal);
+    const bridge = await RosbridgeDouble.start(t);
+    const link = newLink(bridge.url);
+    runLink(t, link);
     await until(() => link.isOpen && bridge.clients.length > 0, 'the link');
     const [client] = bridge.clients;
     client.pause();
@@ -79,39 +76,33 @@ describe('link to a slow gateway', () => {
 
     await until(() => bridge.published('/last').length > 0, 'the last message');
     assert.deepEqual(bridge.published('/joint_trajectory').map(({ i }) => i), [1000]);
-    ending.abort();
-    await running;
   });
 
   it('KeptMessages_SetWithoutAConnection_AreSentOnceAfterIt', async t => {
-    const bridge = await RosbridgeDouble.start(t), ending = new AbortController();
-    const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}));
+    const bridge = await RosbridgeDouble.start(t);
+    const link = newLink(bridge.url);
 
     for (const i of [1, 2]) link.publishKept('/joint_trajectory', { i });
     link.publishKept('/tf_static', {}, 'part');
     link.forgetKept('part');
-    const running = link.run(ending.signal);
+    runLink(t, link);
     link.publish('/last', {});
 
     await until(() => bridge.published('/last').length > 0, 'the last message');
     assert.deepEqual([bridge.published('/joint_trajectory'), bridge.published('/tf_static')], [[{ i: 2 }], []]);
-    ending.abort();
-    await running;
   });
 
   it('Signals_ChangeWithoutAConnection_AreSentOnceAfterIt', async t => {
-    const bridge = await RosbridgeDouble.start(t), ending = new AbortController();
-    const link = new GatewayLink({ url: bridge.url, token: null, pin: null }, new Log('x', [], () => {}));
+    const bridge = await RosbridgeDouble.start(t);
+    const link = newLink(bridge.url);
     const sender = new SignalSender({ isSettled: true }, link, () => {}, () => 0);
 
     for (let i = 1; i <= 100; i++) sender.add('count', i, BigInt(i) * S);
-    const running = link.run(ending.signal);
+    runLink(t, link);
     link.publish('/joint_states', LARGE);
 
     await until(() => bridge.published('/joint_states').length > 0, 'the message after the signals');
     assert.deepEqual(bridge.published('/signals').map(({ value }) => value), [[100]]);
-    ending.abort();
-    await running;
   });
 });
 

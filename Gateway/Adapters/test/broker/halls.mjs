@@ -6,6 +6,8 @@ import { Mosquitto } from './mosquitto.mjs';
 import { SyncServer } from './syncServer.mjs';
 
 export const TOPIC = 'nowpose/cell';
+/** Time after which a receiving bridge no longer trusts a presence that is not repeated, ms. */
+const TRUST_MS = 6000;
 
 export function bridge(t, direction, gateway, broker, more = '', { env, launch = start } = {}) {
   const path = temporaryFile(`${direction}.yaml`, `gateway: { url: "${gateway.url}" }
@@ -32,6 +34,16 @@ export async function halls(t, { more = '', namespaces = [], launch } = {}) {
   // The subscribing bridge forwards no message before the clock of the time stamps is known.
   await served(far);
   return { near, far, broker, sync, publisher, subscriber };
+}
+
+/**
+ * Prevents the end of the trust in the presence of the publishing bridge, however long the test takes. Returns a function that gets the calls of
+ * setTimeout for this end.
+ */
+export function keepTrust(t) {
+  const { setTimeout: begin } = globalThis;
+  const { mock } = t.mock.method(globalThis, 'setTimeout', (then, ms, ...rest) => begin(then, ms === TRUST_MS ? 1e9 : ms, ...rest));
+  return () => mock.calls.filter(call => call.arguments[1] === TRUST_MS);
 }
 
 export const state = (stamp, name = ['a'], position = [1]) => ({

@@ -5,7 +5,7 @@ import { parts } from '../parts.mjs';
 import { until } from '../program.mjs';
 import { RosbridgeDouble } from '../rosbridge.mjs';
 import { VirtualTime } from '../virtualTime.mjs';
-import { bridge, clockOf, jointStatus, served, state, TOPIC } from './halls.mjs';
+import { bridge, clockOf, jointStatus, keepTrust, served, state, TOPIC } from './halls.mjs';
 import { RefusingBroker } from './refusingBroker.mjs';
 import { SyncServer } from './syncServer.mjs';
 import { messages } from '../messages.mjs';
@@ -39,9 +39,7 @@ for (const [name, confirm] of [
 ])
   it(`Subscriber_OnlyRetainedPresence_IsWaitingUntil${name}`, async t => {
     const [far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), RefusingBroker.start(t), SyncServer.start(t)]);
-    // The trust in the presence does not end, however long the test takes.
-    const { setTimeout: begin } = globalThis;
-    t.mock.method(globalThis, 'setTimeout', (then, ms, ...rest) => begin(then, ms === 6000 ? 1e9 : ms, ...rest));
+    keepTrust(t);
     broker.refuses = () => false;
     const answered = new Promise(resolve => {
       broker.answered = (topic, socket) => topic === `${TOPIC}/alive` && resolve(socket);

@@ -4,7 +4,7 @@ import { describe, it } from 'node:test';
 import { parts } from '../parts.mjs';
 import { until } from '../program.mjs';
 import { RosbridgeDouble } from '../rosbridge.mjs';
-import { bridge, clockOf, jointStatus, state, TOPIC } from './halls.mjs';
+import { bridge, clockOf, jointStatus, keepTrust, state, TOPIC } from './halls.mjs';
 import { RefusingBroker } from './refusingBroker.mjs';
 import { SyncServer } from './syncServer.mjs';
 import { ANY, like, messages } from '../messages.mjs';
@@ -196,9 +196,7 @@ describe('rights on a broker', () => {
   it('Subscriber_PresenceNotRepeated_IsWaitingUntilThePublisherReturns', async t => {
     const [far, broker, sync] = await Promise.all([RosbridgeDouble.start(t), RefusingBroker.start(t), SyncServer.start(t)]);
     // The test ends the trust in the presence.
-    const { setTimeout: begin } = globalThis, later = (then, ms, ...rest) => begin(then, ms === 6000 ? 1e9 : ms, ...rest);
-    const { mock: begun } = t.mock.method(globalThis, 'setTimeout', later), { mock: ended } = t.mock.method(globalThis, 'clearTimeout');
-    const timers = () => begun.calls.filter(call => call.arguments[1] === 6000);
+    const timers = keepTrust(t), { mock: ended } = t.mock.method(globalThis, 'clearTimeout');
     broker.refuses = () => false;
     const subscribed = [], answered = new Promise(resolve => {
       broker.answered = (topic, socket) => subscribed.push(topic) && topic === `${TOPIC}/alive` && resolve(socket);
