@@ -53,7 +53,7 @@ describe('virtual time', () => {
     assert.ok(activeTimers() <= before, `${activeTimers()} timers instead of ${before}`);
   });
 
-  // A socket for datagrams is no resource of the adapters, so it counts as work in progress. The test takes the real second of the limit.
+  // The adapters use no sockets for datagrams, so virtual time counts one as work in progress. The test takes the real second of the limit.
   it('Moment_WorkThatDoesNotEnd_EndsWhileTheTimeStandsStill', { timeout: 60_000 }, async t => {
     const socket = createSocket('udp4').bind(0, '127.0.0.1');
     t.after(() => socket.close());

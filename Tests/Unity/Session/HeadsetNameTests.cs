@@ -55,7 +55,7 @@ public sealed class HeadsetNameTests
         Assert.That(HeadsetName.Of(" left door "), Is.EqualTo("left door"));
     }
 
-    // Half of a character that needs two code units is no text.
+    // A character of two code units must not be cut in half.
     [TestCase(63, 63)]
     [TestCase(62, 64)]
     public void Of_LongNameWithACharacterAtTheLimit_KeepsItWholeOrDropsIt(int before, int expected)
